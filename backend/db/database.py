@@ -19,7 +19,7 @@ from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
 from backend.db.clock import Now
 from backend.db.commits import Commits
 from backend.db.migrations import REVISIONS, upgrade
-from backend.db.server import ReadOnlyError, SilentServerError, is_silent, server_engine
+from backend.db.server import ReadOnlyError, SilentServerError, is_deadlock, is_silent, server_engine
 from backend.db.sqlite import (
     COMMIT_TIMEOUT,
     LOCK_TIMEOUT,
@@ -246,7 +246,7 @@ class RowStore:
 
 
 class _RetryingThreads:
-    """Threads for one kind of transaction, which retry while SQLite is locked.
+    """Threads for one kind of transaction, which retry while SQLite is locked, and after a deadlock on PostgreSQL.
 
     What queued behind one that waited in vain fails with it: else each would wait as long, one after the other.
     """
@@ -257,7 +257,7 @@ class _RetryingThreads:
         self._timed_out: type[DatabaseLockedError | SilentServerError] = DatabaseLockedError
 
     async def run(self, method: Callable[[], T], locked_by_us: Callable[[float], bool]) -> T:
-        """Call the method, and retry while SQLite is locked.
+        """Call the method, and again while SQLite is locked or after a deadlock.
 
         Args:
             method: One transaction, which is rolled back where it fails.
@@ -285,6 +285,8 @@ class _RetryingThreads:
             except OperationalError as error:
                 if is_silent(error):
                     self._timed_out, self._timed_out_at = SilentServerError, time.monotonic()
+                if is_deadlock(error):
+                    continue  # the other one has gone on
                 if not is_locked(error):
                     raise
                 if time.monotonic() > end and not locked_by_us(begun):

@@ -9,6 +9,7 @@ from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
 APPLICATION = "ridelab-"  # a service's connections have this and a random part as their name
 USER_TIMEOUT = 12_000  # for which what was sent may stay unacknowledged (TCP_USER_TIMEOUT, RFC 5482) [ms]
 KEEPALIVES = {"idle": 8, "interval": 3, "count": 3}  # who hears nothing for so long ends the connection [s, s, 1]
+DEADLOCK = "40P01"  # a SQLSTATE
 LARGE_TIMEOUT = 3600.0  # for an answer to a statement of a large transaction [s]
 # The server's: a statement of an ordinary transaction, and a pause within one, may take so long. What a transaction
 # of a client that hangs has locked is free again after that [ms].
@@ -44,6 +45,11 @@ def server_engine(url: URL) -> Engine:
 def is_silent(error: DBAPIError) -> bool:
     """Whether a server that should have answered did not."""
     return getattr(error.orig, "silent", False)
+
+
+def is_deadlock(error: DBAPIError) -> bool:
+    """Whether the server rolled the transaction back, as it and another one waited for each other."""
+    return getattr(error.orig, "sqlstate", None) == DEADLOCK
 
 
 def _connect(_dialect: Any, _record: Any, arguments: list[Any], named: dict[str, Any]) -> Any:

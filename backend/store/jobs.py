@@ -62,12 +62,13 @@ class JobStore(RowStore):
                     parent = select(jobs.c.state).where(jobs.c.id == job.parent_id)
                     if connection.execute(parent).scalar_one() not in UNFINISHED:
                         raise ParentEndedError
-                connection.execute(
-                    update(jobs)
-                    .where(jobs.c.kind == job.kind, jobs.c.idempotency_key == stored_key)
-                    .where(jobs.c.state == "cancelled")
-                    .values(idempotency_key=None)
-                )
+                if stored_key is not None:
+                    connection.execute(
+                        update(jobs)
+                        .where(jobs.c.kind == job.kind, jobs.c.idempotency_key == stored_key)
+                        .where(jobs.c.state == "cancelled")
+                        .values(idempotency_key=None)
+                    )
                 created = connection.execute(insert(jobs).returning(jobs.c.created_at), row).scalar_one()
                 if job.road_ids:
                     insert_new(connection, job_roads, [{"job_id": job.id, "road_id": each} for each in job.road_ids])
@@ -302,13 +303,15 @@ def mark_removed(connection: Connection, ids: Sequence[str]) -> None:
 
 def change_state(connection: Connection, job_id: str, before: Sequence[str], state: State, **values: Any) -> bool:
     """Change a job's state and add an event; False where it was in none of the states `before`."""
-    matching = update(jobs).where(jobs.c.id == job_id, jobs.c.state.in_(before))
-    if not connection.execute(matching.values(state=state, **_times(state))).rowcount:
+    if connection.execute(select(jobs.c.state).where(jobs.c.id == job_id).with_for_update()).scalar() not in before:
         return False
+    changed = {"state": state, **_times(state), **values}
+    # In one statement: at a second change of a row PostgreSQL looks whether its parent is there, and waits for who
+    # has locked that, as `cancel` does, which may wait for this row.
     try:
-        update_row(connection, jobs, job_id, values)
+        update_row(connection, jobs, job_id, changed)
     except DamagedError:  # it stays damaged, and ends all the same
-        connection.execute(update(jobs).where(jobs.c.id == job_id).values(**values))
+        connection.execute(update(jobs).where(jobs.c.id == job_id).values(**changed))
     add_event(connection, job_id, "state")
     return True
 

@@ -1,0 +1,75 @@
+"""Jobs on PostgreSQL, where transactions that change the same rows at once wait for one another."""
+
+import asyncio
+from collections.abc import Iterator
+from contextlib import closing
+from dataclasses import replace
+
+import pytest
+from sqlalchemy import text
+
+from backend.db.checksum import update_row
+from backend.db.tables import jobs
+from backend.store import Store
+from backend.store.jobs import lock
+from tests.api.test_job_store import BATCH
+from tests.servers import loops
+from tests.servers.postgres import Postgres
+from tests.servers.process import HANG_TIMEOUT
+from tests.there import there
+
+CHILD = replace(BATCH, id="child", parent_id=BATCH.id)
+
+
+@pytest.fixture
+def store(postgres: Postgres, migrated_postgres: str) -> Iterator[Store]:
+    """One with a queued job and another that this one submitted."""
+    with closing(Store(postgres.new_database(migrated_postgres))) as store:
+        for job in (BATCH, CHILD):
+            store.jobs.create(job)
+        yield store
+
+
+async def one_waits(store: Store) -> None:
+    """Wait until a transaction waits for another one."""
+    waiting = text("SELECT count(*) FROM pg_stat_activity WHERE wait_event_type = 'Lock'")
+    async with asyncio.timeout(HANG_TIMEOUT):
+        while True:
+            with store.reading() as connection:
+                if connection.execute(waiting).scalar_one():
+                    return
+            await asyncio.sleep(0.01)
+
+
+def test_a_job_is_started_while_another_transaction_has_its_parent(store: Store) -> None:
+    """Whoever cancels the parent has it, and waits for this job."""
+    with store.writing() as connection:
+        lock(connection, BATCH.id)
+        store.jobs.start(CHILD.id)
+    assert there(store.jobs.load(CHILD.id)).state == "running"
+
+
+def test_a_transaction_that_is_rolled_back_for_a_deadlock_is_begun_again(store: Store) -> None:
+    async def use() -> None:
+        with store.writing() as connection:
+            lock(connection, CHILD.id)
+            cancelling = asyncio.create_task(store.write(store.jobs.cancel, BATCH.id))
+            await one_waits(store)
+            await asyncio.to_thread(lock, connection, BATCH.id)  # the server ends who has waited longer
+        await cancelling
+
+    loops.run(use)
+    assert [there(store.jobs.load(job.id)).state for job in (BATCH, CHILD)] == ["cancelled", "cancelled"]
+
+
+def test_a_row_that_two_change_at_once_keeps_a_checksum_that_fits(store: Store) -> None:
+    async def use() -> None:
+        with store.writing() as connection:
+            update_row(connection, jobs, CHILD.id, {"total": 7})
+            naming = asyncio.create_task(store.write(store.jobs.set_label, CHILD.id, "mine"))
+            await one_waits(store)
+        await naming
+
+    loops.run(use)
+    job = there(store.jobs.load(CHILD.id))
+    assert (job.total, job.label) == (7, "mine")
