@@ -12,7 +12,7 @@ PYTEST ?= --numprocesses $(PROCESSES) --dist loadfile --no-loadscope-reorder --d
 # What is imported is compiled then, and by nobody else: half of the time that pip takes.
 INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --no-compile --require-hashes -r
 unexport PYTHONDONTWRITEBYTECODE
-MAKEFLAGS += --jobs=2  # packages and page, and both halves of the checks, side by side
+MAKEFLAGS += --jobs=3  # packages and page side by side; both halves of the checks beside the tests, in what these leave
 
 .PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust figures manual setup development compiler lock pin dist clean
 
@@ -39,15 +39,15 @@ check: check-python check-frontend ## style, types and import rules
 check-python: development
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/mypy --num-workers 2
-	$(BIN)/lint-imports
-	cd client && ../$(BIN)/lint-imports
+	nice $(BIN)/mypy --num-workers 2
+	nice $(BIN)/lint-imports
+	cd client && nice ../$(BIN)/lint-imports
 
 check-frontend: frontend/node_modules/.checked
 # On nothing but these files: what passed is not looked at again.
 CHECKED := $(wildcard frontend/*.html frontend/*.js frontend/*.json frontend/.ox*.json frontend/*.ts) $(shell find frontend/src frontend/scripts frontend/public -type f)
 frontend/node_modules/.checked: frontend/node_modules/.development $(CHECKED)
-	cd frontend && $(NODE) npm run check
+	cd frontend && $(NODE) nice npm run check
 	touch $@
 
 audit: development ## known vulnerabilities of what is locked; asks PyPI and npm, so it needs the internet
