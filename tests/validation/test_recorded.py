@@ -95,6 +95,13 @@ def test_a_drive_without_time_and_speed_has_no_travel_time() -> None:
     assert np.isnan([result.travel_time, result.arrival_speed_kmh]).all()
 
 
+def test_a_drive_of_a_clock_alone_takes_as_long_as_its_road_says() -> None:
+    """Without speed it is taken as driven at the initial one, which it holds; the last sample is 4 ms early at most."""
+    signals = recording(SCENARIO, drift=-0.011).signals()
+    result = recorded_result(SCENARIO, RecordedDrive.of({key: signals[key] for key in ("time", *PLACED)}))
+    assert result.travel_time == pytest.approx(SCENARIO.road.length / SCENARIO.speed.initial, abs=0.005)
+
+
 def test_a_drive_somewhere_else_is_not_placed() -> None:
     x, signal = np.arange(0, 150, 0.1), np.random.default_rng(2).normal(size=(1, 1500))
     series = simulate(SCENARIO, "passive").series
