@@ -30,13 +30,13 @@ def store(postgres: Postgres, migrated_postgres: str) -> Iterator[Store]:
         yield store
 
 
-async def one_waits(store: Store) -> None:
-    """Wait until a transaction waits for another one."""
-    waiting = text("SELECT count(*) FROM pg_stat_activity WHERE wait_event_type = 'Lock'")
+async def waiting(store: Store, count: int) -> None:
+    """Wait until so many transactions wait for others."""
+    locked = text("SELECT count(*) FROM pg_stat_activity WHERE wait_event_type = 'Lock'")
     async with asyncio.timeout(HANG_TIMEOUT):
         while True:
             with store.reading() as connection:
-                if connection.execute(waiting).scalar_one():
+                if connection.execute(locked).scalar_one() >= count:
                     return
             await asyncio.sleep(0.01)
 
@@ -51,11 +51,16 @@ def test_a_job_is_started_while_another_transaction_has_its_parent(store: Store)
 
 def test_a_transaction_that_is_rolled_back_for_a_deadlock_is_begun_again(store: Store) -> None:
     async def use() -> None:
-        with store.writing() as connection:
-            lock(connection, CHILD.id)
-            cancelling = asyncio.create_task(store.write(store.jobs.cancel, BATCH.id))
-            await one_waits(store)
-            await asyncio.to_thread(lock, connection, BATCH.id)  # the server ends who has waited longer
+        with store.writing() as other:
+            other.exec_driver_sql("SET LOCAL deadlock_timeout = '1h'")  # it is the other one that looks, and is ended
+            lock(other, CHILD.id)
+            with store.writing() as first:
+                lock(first, BATCH.id)
+                cancelling = asyncio.create_task(store.write(store.jobs.cancel, BATCH.id))
+                await waiting(store, 1)
+                asking = asyncio.create_task(asyncio.to_thread(lock, other, BATCH.id))
+                await waiting(store, 2)
+            await asking
         await cancelling
 
     loops.run(use)
@@ -67,7 +72,7 @@ def test_a_row_that_two_change_at_once_keeps_a_checksum_that_fits(store: Store) 
         with store.writing() as connection:
             update_row(connection, jobs, CHILD.id, {"total": 7})
             naming = asyncio.create_task(store.write(store.jobs.set_label, CHILD.id, "mine"))
-            await one_waits(store)
+            await waiting(store, 1)
         await naming
 
     loops.run(use)
