@@ -43,7 +43,8 @@ RoadsService = Annotated[MeasuredRoads, service(lambda services: services.roads)
     openapi_extra={
         "requestBody": {
             "required": True,
-            "content": {"text/csv": {"schema": BYTES, "example": EXAMPLE}, OPENCRG: {"schema": BYTES}},
+            # A client by openapi-python-client sends files as the last type named.
+            "content": {OPENCRG: {"schema": BYTES}, "text/csv": {"schema": BYTES, "example": EXAMPLE}},
         }
     },
 )

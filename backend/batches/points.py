@@ -13,7 +13,7 @@ import numpy as np
 from pydantic import Field, WithJsonSchema, model_validator
 from pydantic_core import PydanticCustomError
 
-from backend.json_types import JsonObject
+from backend.json_types import NUMBERS_SCHEMA, JsonObject
 from backend.models import RequestModel
 from backend.unknown_names import pointer, shown_path, unknown_name
 from sim_core.errors import RidelabError
@@ -30,7 +30,7 @@ Value = Annotated[
                 {"type": "string"},
                 {"type": "boolean"},
                 {"type": "null"},
-                {"type": "array"},
+                NUMBERS_SCHEMA,
             ],
             "description": "What the field takes: a number, a choice's name, true or false, three weights, a curve",
         }

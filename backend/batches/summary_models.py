@@ -4,6 +4,7 @@ from typing import Annotated, Any
 
 from pydantic import Field, WithJsonSchema
 
+from backend.json_types import NUMBERS_SCHEMA
 from backend.models import Answer
 
 Cell = Annotated[
@@ -14,10 +15,7 @@ Cell = Annotated[
                 {"type": "number"},
                 {"type": "string"},
                 {"type": "boolean"},
-                {
-                    "items": {"anyOf": [{"type": "number"}, {"items": {"type": "number"}, "type": "array"}]},
-                    "type": "array",  # three weights, a curve's points
-                },
+                NUMBERS_SCHEMA,
                 {"type": "object", "additionalProperties": {"type": "string"}},  # a law's file and digest
                 {"type": "null"},
             ]

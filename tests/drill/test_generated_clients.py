@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -14,13 +15,7 @@ from backend.settings import Settings
 from tests.api.conftest import Service, serve
 from tests.servers.process import HANG_TIMEOUT, ROOT
 
-# Of docs/reference/api.md: files that the generator treats as bytes and as text.
-OVERRIDES = {
-    "text/csv": "application/octet-stream",
-    "application/zip": "application/octet-stream",
-    "application/vnd.apache.parquet": "application/octet-stream",
-    "application/openmetrics-text": "text/plain",
-}
+PAGE = ROOT / "docs/reference/api.md"
 GENERATOR = Path(sys.prefix) / "clients/bin/openapi-python-client"
 PYTHON_CALLS = """
 import io, json, math, sys
@@ -86,7 +81,8 @@ def run(tmp_path: Path) -> Run:
 
 def test_a_client_by_openapi_python_client(service: Service, description: Path, run: Run, tmp_path: Path) -> None:
     assert GENERATOR.exists(), "make drill brings it"
-    (tmp_path / "config.json").write_text(json.dumps({"content_type_overrides": OVERRIDES}))
+    (configuration,) = re.findall(r"```json\n(.*content_type_overrides.*\n(?:.*\n)*?)```", PAGE.read_text())
+    (tmp_path / "config.json").write_text(configuration)
     target = tmp_path / "ridelab_api"
     options = ("--path", description, "--output-path", target, "--meta", "none", "--config", tmp_path / "config.json")
     assert "Warning" not in run(GENERATOR, "generate", *options, "--fail-on-warning")

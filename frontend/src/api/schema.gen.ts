@@ -1497,14 +1497,14 @@ export interface components {
         };
         readonly Sweep: {
             readonly grid?: {
-                readonly [key: string]: readonly (number | string | boolean | null | readonly unknown[])[];
+                readonly [key: string]: readonly (number | string | boolean | null | readonly (number | readonly number[])[])[];
             } | null;
             readonly latin_hypercube?: components["schemas"]["LatinHypercube"] | null;
             readonly linked?: {
                 readonly [key: string]: readonly string[];
             } | null;
             readonly list?: readonly {
-                readonly [key: string]: number | string | boolean | null | readonly unknown[];
+                readonly [key: string]: number | string | boolean | null | readonly (number | readonly number[])[];
             }[] | null;
         };
         readonly TableAnswer: {
