@@ -16,8 +16,8 @@ import { createTimer, type Timer } from "../lib/timer";
 const POINTS = 700;
 const POINTS_MOST = 2500;
 
-/** So often what is read follows [ms]: curves alone follow each answer, of the signals in sight. */
-const READ_MS = 200;
+/** So often what is read follows a moving slider, and so soon one that rests [ms]: curves alone follow each answer, of the signals in sight. */
+const [READ_MS, REST_MS] = [500, 100];
 
 /** Shades the stages of every panel. */
 const ALWAYS_DRAWN = ["brake_pressure"];
@@ -89,10 +89,11 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
   const readRest = () => {
     if (isReadNext && isNewest() && store.get().shown !== answered.get()) request();
   };
-  const reading = createTimer(READ_MS, () => {
+  const read = () => {
     isReadNext = true;
     readRest();
-  });
+  };
+  const [reading, resting] = [createTimer(READ_MS, read), createTimer(REST_MS, read)];
 
   const latest = createLatest<LiveRequest, { readonly answer: LiveAnswer; readonly isRead: boolean }>({
     run: async ({ scenario }, signal) => {
@@ -136,11 +137,13 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
     /** Asks for the scenario under the moving slider; whether there is anything to simulate. */
     follow: () => {
       isFollowing = true;
+      resting.start();
       return request();
     },
     cancel: () => {
       isFollowing = false;
       reading.stop();
+      resting.stop();
       isReadNext = true;
       latest.cancel();
     },
