@@ -85,7 +85,9 @@ def everything_else(api: Api) -> None:
     identifier = road.json()["id"]
     get(api, f"/roads/{identifier}")
     get(api, f"/roads/{identifier}", format="csv")
-    request("POST", f"{api.url}/api/v1/runs", content=b'{"scenario": [' + b"[" * 1_000_000)
+    nested = b'{"scenario": [' + b"[" * 1_000_000
+    refused = request("POST", f"{api.url}/api/v1/runs", content=nested, headers={"Content-Type": "application/json"})
+    assert refused.status_code == 413, refused.text
     get(api, "/paper")
     request("GET", f"{api.url}/openapi.json").raise_for_status()
 
