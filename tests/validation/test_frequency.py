@@ -227,6 +227,15 @@ def test_of_two_smaller_gains_that_meet_instability_the_nearer_one_is_the_margin
     ]
 
 
+def test_the_disk_margin_of_two_delayed_gains() -> None:
+    """k / z is nearest to -1 at z = -1, where its gain meets instability: the disk's factor is the smaller 1 / k."""
+    nothing = np.zeros((2, 2))
+    loop: Any = SimpleNamespace(A=nothing, B=np.eye(2), C=nothing, K=-np.diag([0.5, 0.8]), step=1e-3)
+    judged = margins(loop)
+    assert (judged.front.gain, judged.rear.gain, judged.disk_gain) == pytest.approx((2, 1.25, 1.25))
+    assert (judged.disk, judged.disk_phase) == pytest.approx((2 / 9, 2 * np.arctan(1 / 9)))
+
+
 def on_axle(axle: int, factor: complex) -> Any:
     change = np.ones(2, dtype=np.complex128)
     change[axle] = factor
