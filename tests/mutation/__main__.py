@@ -154,6 +154,7 @@ def noticed(copies: Copies, reach: Reach, place: Place) -> str | None:
     source = (ROOT / place.file).read_bytes()
     with copies.one() as copy:
         file = copy / place.file
+        libraries = {path: path.read_bytes() for path in (copy / "sim_core" / "kernel").glob("*.so.1")}
         try:
             file.write_bytes(place.changed(source))
             if file.suffix == ".c" and not compile_core(copy):
@@ -169,8 +170,9 @@ def noticed(copies: Copies, reach: Reach, place: Place) -> str | None:
         finally:
             file.write_bytes(source)
             Path(cache_from_source(str(file))).unlink(missing_ok=True)
-            if file.suffix == ".c":
-                compile_core(copy)
+            for path, content in libraries.items():
+                path.unlink(missing_ok=True)
+                path.write_bytes(content)
 
 
 def main() -> int:

@@ -24,6 +24,11 @@ def test_a_passive_car_with_other_parameters_is_that_other_car() -> None:
     assert believed.reference["front_static_load"] == real.reference["front_static_load"]
 
 
+@pytest.mark.parametrize("factor", ["body_mass", "springs", "damping", "tyres", "rebound_ratio"])
+def test_one_factor_alone_makes_another_car(factor: str) -> None:
+    assert Mismatch.model_validate({factor: 2.0}).real(Vehicle()) != Vehicle()
+
+
 def test_a_controller_keeps_its_beliefs() -> None:
     """LQR's gains stay those of the believed car: the loop over the real one is that gain on its states."""
     real = simulate(SHORT.model_copy(update={"mismatch": Mismatch(damping=0.6)}), "lqr")
