@@ -8,6 +8,7 @@ from pydantic import ValidationError
 from backend.batches.notes import notes
 from sim_core.frequency.stability import least_damping
 from sim_core.scenario import Scenario, characteristics
+from sim_core.scenario.damper import hardest
 
 CURVE = [[-1, -1500], [-0.1, -400], [0.1, 600], [1, 2500]]
 
@@ -41,6 +42,10 @@ def test_the_data_sheet_goes_by_the_slopes_around_rest() -> None:
     front = characteristics(scenario(CURVE, front_damping=1000).vehicle).damping_ratios
     linear = characteristics(Scenario.model_validate({"vehicle": {"front_damping": 5000}}).vehicle).damping_ratios
     assert (front.front_body, front.rear_wheel) == pytest.approx((linear.front_body, linear.rear_wheel))
+
+
+def test_a_curve_may_be_hardest_far_from_rest() -> None:
+    assert hardest(((-1.0, -1500.0), (1.0, 600.0), (1.1, 1600.0))) == pytest.approx(10_000)
 
 
 def test_a_loop_is_judged_by_the_slopes_around_rest() -> None:
