@@ -13,7 +13,8 @@ import { withoutGone } from "../scenario/ownOptions";
 import { createAtom, type Atom } from "@tanstack/react-store";
 import { createTimer, type Timer } from "../lib/timer";
 
-const POINTS = 700;
+/** Samples of a curve: more of them nobody tells apart on panels of 480 px. */
+const POINTS = 400;
 const POINTS_MOST = 2500;
 
 /** So often what is read follows a moving slider, and so soon one that rests [ms]: curves alone follow each answer, of the signals in sight. */
@@ -55,6 +56,7 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
   const points = () => {
     const { zoom, axis, differences } = labAddress.get().view;
     if (differences) return ALL_POINTS;
+    if (zoom === "whole") return 2 * POINTS;
     const longest = Object.values(store.get().shown?.series ?? {}).map((series) => series[axisKey(axis)]?.at(-1) ?? 0);
     const part = Array.isArray(zoom) ? (zoom[1] - zoom[0]) / Math.max(1e-9, ...longest) : 1;
     return Math.round(Math.min(POINTS_MOST, POINTS / Math.max(part, 0.01)));
