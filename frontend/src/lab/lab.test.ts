@@ -190,7 +190,7 @@ it("under a moving slider curves follow each answer, what is read twice a second
     await answer("live");
     expect([shown(), newest()]).toEqual([LOW, { height }]);
   }
-  await vi.advanceTimersByTimeAsync(99);
+  await vi.advanceTimersByTimeAsync(199);
   expect(held.live).toHaveLength(3);
   await vi.advanceTimersByTimeAsync(1);
   expect(held.live).toHaveLength(4);

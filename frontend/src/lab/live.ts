@@ -18,7 +18,7 @@ const POINTS = 400;
 const POINTS_MOST = 2500;
 
 /** So often what is read follows a moving slider, and so soon one that rests [ms]: curves alone follow each answer, of the signals in sight. */
-const [READ_MS, REST_MS] = [500, 100];
+const [READ_MS, REST_MS] = [500, 200];
 
 /** Shades the stages of every panel. */
 const ALWAYS_DRAWN = ["brake_pressure"];
