@@ -1,6 +1,6 @@
 /** Every figure's spread under each strategy: bars to compare, a table to read, the worst case to open. */
 
-import { SegmentedControl, Text, Box, Flex } from "@mantine/core";
+import { SegmentedControl, Text, Box, Group } from "@mantine/core";
 import { useState } from "react";
 import type { BatchSummary, Strategy } from "../../api/types";
 import { type Metric, fullName } from "../../server/metrics";
@@ -148,14 +148,14 @@ function Intervals({ summary, strategies, figure }: IntervalsProps) {
   const { end, ticks } = scaleTo(most * figure.scale);
   return (
     <Box component="figure" miw={0} m={0} data-figure={figure.key}>
-      <Flex component="figcaption" align="center" gap="0.3em" mb="0.2rem" fz="sm" fw={600}>
+      <Group component="figcaption" wrap="nowrap" gap="0.3em" mb="0.2rem" fz="sm" fw={600}>
         {figure.label} <span className={ui.dim}>{prettyUnit(figure.unit)}</span>
         <ChartButton
           title={fullName(figure)}
           file={`ridelab-${summary.batch}-spread-${figure.key}`}
           draw={() => spreadChart(summary, strategies, figure)}
         />
-      </Flex>
+      </Group>
       {rows.map(({ strategy, figureSummary }) => (
         <div key={strategy.id} className={styles.interval}>
           <span className={styles.intervalName}>{strategy.label}</span>
