@@ -23,10 +23,14 @@ def plan(**speed: Any) -> Scenario:
 
 
 def test_chain_gives_back_the_torque_asked_for() -> None:
-    """Eq. 6 turned round by Eq. 4-5: pressure → pad force → friction → deceleration; full torque is the greatest."""
-    drive = make_speed_profile(plan(), "planned")
+    """Eq. 6 turned round by Eq. 4-5: pressure → pad force → friction → deceleration; full torque is the greatest.
+
+    Of pads whose friction depends on the speed: with the threshold of 0.1 m/s the tanh is 1 wherever the car brakes.
+    """
+    slipping = Scenario(road=SMOOTH, brake=Brake(threshold_speed=5.0))
+    drive = make_speed_profile(slipping, "planned")
     pad = drive.pressure * 0.0025
-    friction = 0.38 * pad * np.tanh(2 * (drive.speed * 0.13 / 0.3) / 0.1)
+    friction = 0.38 * pad * np.tanh(2 * (drive.speed * 0.13 / 0.3) / 5)
     mass = 1270 + 2 * 66.3
     np.testing.assert_allclose(drive.braking, 2 * (2 * friction * 0.13) / (0.3 * mass), rtol=1e-12)
     late = make_speed_profile(plan(controller="guarded", detection_distance=20.0), "planned")  # brakes as it can
