@@ -22,7 +22,13 @@ from tests.validation.strategies import some
 
 SPEED = 10.0  # [m/s]
 FILTER = {"kind": "kalman"}
-MISTAKEN = {"body_mass": 1.1, "preview_gain": 0.9, "preview_offset": 0.1, "preview_delay": 0.01}
+MISTAKEN = {
+    "body_mass": 1.1,
+    "preview_gain": 0.9,
+    "preview_offset": 0.1,
+    "preview_delay": 0.01,
+    "preview_resolution": 1.0,
+}
 CASES: list[tuple[str, dict[str, Any]]] = [
     ("passive", {}),
     ("lqr", {"lqr": {"preview": "lookahead"}}),

@@ -5,7 +5,7 @@ import pytest
 
 from sim_core import RidelabError, Scenario, Vehicle, simulate
 from sim_core.catalogue import METRIC_SIGNALS
-from sim_core.recorded.alignment import place
+from sim_core.recorded.alignment import correlations, place
 from sim_core.recorded.result import recorded_result
 from sim_core.scenario.recorded import RecordedDrive
 from tests.there import there
@@ -100,6 +100,11 @@ def test_a_drive_of_a_clock_alone_takes_as_long_as_its_road_says() -> None:
     signals = recording(SCENARIO, drift=-0.011).signals()
     result = recorded_result(SCENARIO, RecordedDrive.of({key: signals[key] for key in ("time", *PLACED)}))
     assert result.travel_time == pytest.approx(SCENARIO.road.length / SCENARIO.speed.initial, abs=0.005)
+
+
+def test_a_signal_is_like_itself_from_another_zero() -> None:
+    x = np.arange(0, 10, 0.1)
+    assert correlations(x, np.sin(x)[None] + 3, x, np.sin(x)[None] + 5) == pytest.approx([1])
 
 
 def test_a_drive_somewhere_else_is_not_placed() -> None:
