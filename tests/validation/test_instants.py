@@ -159,7 +159,11 @@ def test_forces_without_a_limit_and_all_multipliers_are_those_of_osqp() -> None:
     assert list(ours) == LIMITS
     assert sum(bool(limit.multiplier) for limit in ours.values()) >= 3
     theirs = dict(zip(LIMITS, (of_moves[::2], of_moves[1::2], *np.split(of_travel, 2)), strict=True))
+    plan, travel, forces = there(at.plan), BOUND.mpc.deflection_limit, BOUND.mpc.force_limit
+    limited = dict(zip(LIMITS, (*plan.forces.T, *plan.states[1:, :2].T), strict=True))
     for name, limit in ours.items():
+        np.testing.assert_allclose(limit.values, limited[name][: len(limit.values)], rtol=1e-9)
+        assert limit.bound == pytest.approx(travel if limit.unit == "m" else forces)
         assert limit.multipliers is not None
         np.testing.assert_allclose(limit.multipliers, theirs[name], atol=1e-6 * np.abs(theirs[name]).max(initial=1e-3))
         freed = by_osqp(design, inputs, name)[0]
