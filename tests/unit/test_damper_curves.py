@@ -44,6 +44,11 @@ def test_the_data_sheet_goes_by_the_slopes_around_rest() -> None:
     assert (front.front_body, front.rear_wheel) == pytest.approx((linear.front_body, linear.rear_wheel))
 
 
+def test_the_origin_may_be_one_of_the_points() -> None:
+    with_it = scenario([*CURVE[:2], [0, 0], *CURVE[2:]])
+    assert characteristics(with_it.vehicle) == characteristics(scenario(CURVE).vehicle)
+
+
 def test_a_curve_may_be_hardest_far_from_rest() -> None:
     assert hardest(((-1.0, -1500.0), (1.0, 600.0), (1.1, 1600.0))) == pytest.approx(10_000)
 
