@@ -12,7 +12,7 @@ PYTEST ?= --numprocesses $(PROCESSES) --dist loadfile --no-loadscope-reorder --d
 # What is imported is compiled then, and by nobody else: half of the time that pip takes.
 INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --no-compile --require-hashes -r
 unexport PYTHONDONTWRITEBYTECODE
-MAKEFLAGS += --jobs=3  # packages and page side by side; both halves of the checks beside the tests, in what these leave
+MAKEFLAGS += --jobs=3  # packages and page side by side; the tests beside both halves of the checks, which give way to them
 
 .PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust figures manual setup development compiler lock pin dist clean
 
@@ -37,8 +37,8 @@ mutate: development ## 300 small changes of the core, each by the tests that rea
 check: check-python check-frontend ## style, types and import rules
 
 check-python: development
-	$(BIN)/ruff check .
-	$(BIN)/ruff format --check .
+	nice $(BIN)/ruff check .
+	nice $(BIN)/ruff format --check .
 	nice $(BIN)/mypy --num-workers 2
 	nice $(BIN)/lint-imports
 	cd client && nice ../$(BIN)/lint-imports

@@ -119,7 +119,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
 async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     services: Services = app.state.services
     try:
-        await anyio.sleep(0)  # imports what the first stream would: 35 ms for which nobody would be answered
+        await anyio.sleep(0)  # loads what the first answer in pieces would load in the event loop, 35 ms
         warming = asyncio.create_task(asyncio.to_thread(answers.warm))  # beside: nobody waits for it
         await asyncio.to_thread(services.spool.clear)
         await services.start()

@@ -15,7 +15,7 @@ from typing import Any, TypeVar
 
 T = TypeVar("T")
 INTERRUPT = signal.SIGUSR1
-_INTERRUPT_LATER = 0.02  # an import is given this time to end before it is looked at again [s]
+RETRY_INTERVAL = 0.02  # in which an import that is under way may end before the task is interrupted [s]
 _interruptible = False  # while a task runs
 
 _STATM = Path("/proc/self/statm")
@@ -57,6 +57,8 @@ def _set_allocator(*settings: tuple[int, int]) -> None:
 def start(nice: int) -> None:
     """Make a new worker keep its memory and end with the service, even a killed one, and tasks end by INTERRUPT.
 
+    SIGALRM is taken too, for an interrupt that has to wait.
+
     Called first.
 
     Args:
@@ -78,14 +80,17 @@ def start(nice: int) -> None:
 
 
 def _interrupt(_: int, frame: FrameType | None) -> None:
-    if _interruptible and _imports(frame):
-        signal.setitimer(signal.ITIMER_REAL, _INTERRUPT_LATER)
+    if _interruptible and _is_importing(frame):
+        signal.setitimer(signal.ITIMER_REAL, RETRY_INTERVAL)
     elif _interruptible:
         raise _Interrupt
 
 
-def _imports(frame: FrameType | None) -> bool:
-    """Whether an import is under way: a package that is there in part can never be imported again in its process."""
+def _is_importing(frame: FrameType | None) -> bool:
+    """Whether an import is under way. A package broken off half way may stay broken in its process.
+
+    Those of its modules that are there already are not bound to it again, and C extensions load once.
+    """
     while frame is not None:
         if frame.f_code.co_filename == "<frozen importlib._bootstrap>":
             return True
@@ -108,7 +113,8 @@ def call_and_measure(function: Callable[..., T], args: tuple[Any, ...], controll
         controllers: Those of one's own that there are (`backend.own.controller_sources`).
 
     Raises:
-        CalledOffError: By INTERRUPT, between two steps of Python; the process is well and its caches are empty.
+        CalledOffError: By INTERRUPT, between two steps of Python and after an import that is under way; the process is
+            well and its caches are empty.
     """
     from backend import own
 

@@ -42,7 +42,7 @@ def update_row(connection: Connection, table: Table, key: str, values: Mapping[s
     (column,) = table.primary_key
     changed = dict(values)
     if values.keys() & set(covered(table)):
-        row = connection.execute(select(table).where(column == key).with_for_update()).one()
+        row = connection.execute(select(table).where(column == key).with_for_update(key_share=True)).one()
         check(table, row, "row")
         if row.checksum != UNCHECKED:
             changed["checksum"] = digest_of({**row._mapping, **values}[name] for name in covered(table))

@@ -44,6 +44,7 @@ T = TypeVar("T")
 READERS = 4  # threads
 SERVER_WRITERS = 2  # PostgreSQL locks rows, not the database: a batch of 100,000 runs keeps no other writer waiting
 STORED_REVISION = text("SELECT version_num FROM alembic_version")
+MOST_DEADLOCKS = 5  # that one transaction may meet; PostgreSQL takes a second to notice one
 START_TIMEOUT = 30.0  # a start waits so long for another one's migration, or for a backup [s]
 DAMAGED = (
     "The database is damaged: stop the service, put a backup in its place and start again "
@@ -82,13 +83,17 @@ class Database:
     async def read(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
         """Run a method that reads in a thread: it waits for the disk, which the event loop must not.
 
+        Where it writes as well, for it met something damaged, it is called again as `write` does.
+
         Raises:
             DatabaseLockedError: Another program keeps SQLite from being read.
         """
         return await self._reads.run(partial(method, *args, **kwargs), self._is_locked_by_us)
 
     async def write(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
-        """Run a method that writes, in one transaction, in a thread of its own; called again if that was rolled back.
+        """Run a method that writes, in one transaction, in a thread of its own.
+
+        It is called again where SQLite is locked, and where PostgreSQL rolled it back for a deadlock.
 
         Raises:
             DatabaseLockedError: Another program keeps SQLite from being written.
@@ -277,7 +282,7 @@ class _RetryingThreads:
         self._threads.shutdown()
 
     def _call(self, method: Callable[[], T], locked_by_us: Callable[[float], bool], submitted: float) -> T:
-        end = time.monotonic() + LOCK_TIMEOUT
+        end, deadlocks = time.monotonic() + LOCK_TIMEOUT, 0
         while submitted > self._timed_out_at:
             begun = time.monotonic()
             try:
@@ -285,8 +290,9 @@ class _RetryingThreads:
             except OperationalError as error:
                 if is_silent(error):
                     self._timed_out, self._timed_out_at = SilentServerError, time.monotonic()
-                if is_deadlock(error):
-                    continue  # the other one has gone on
+                deadlocks += is_deadlock(error)
+                if is_deadlock(error) and deadlocks < MOST_DEADLOCKS:
+                    continue  # the transaction that it met has what it waited for
                 if not is_locked(error):
                     raise
                 if time.monotonic() > end and not locked_by_us(begun):

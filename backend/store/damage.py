@@ -43,7 +43,11 @@ def is_intact_result(row: Row[Any], prefix: str = "") -> bool:
 
 
 def drop_results(database: Database, keys: Iterable[str]) -> None:
-    """Remove those of these results that are damaged; the runs of batches that had them wait again."""
+    """Remove those of these results that are damaged; the runs of batches that had them wait again.
+
+    Results are locked before jobs, elsewhere jobs before results: of two transactions that meet, PostgreSQL rolls one
+    back, and `Database` begins it again.
+    """
     with database.writing() as connection:
         damaged = _damaged(connection, results, keys, is_intact_result)
         connection.execute(update(results).where(results.c.key.in_(damaged)).values(**EXPIRED_RESULT))

@@ -57,11 +57,8 @@ class JobStore(RowStore):
             del row["created_at"]
         try:
             with self._database.writing() as connection:
-                if job.parent_id is not None:
-                    lock(connection, job.parent_id)
-                    parent = select(jobs.c.state).where(jobs.c.id == job.parent_id)
-                    if connection.execute(parent).scalar_one() not in UNFINISHED:
-                        raise ParentEndedError
+                if job.parent_id is not None and lock(connection, job.parent_id) not in UNFINISHED:
+                    raise ParentEndedError
                 if stored_key is not None:
                     connection.execute(
                         update(jobs)
@@ -290,9 +287,18 @@ def _shortened(key: str) -> str:
     return key if len(key) <= LONGEST_KEY else f"{len(key)} characters: {hashlib.sha256(key.encode()).hexdigest()}"
 
 
-def lock(connection: Connection, job_id: str) -> None:
-    """Lock a job's row, so that its writers keep counts and event numbers in order (SQLite locks everything)."""
-    connection.execute(select(jobs.c.id).where(jobs.c.id == job_id).with_for_update())
+def lock(connection: Connection, job_id: str) -> str | None:
+    """Lock a job's row, so that its writers keep counts and event numbers in order (SQLite locks everything).
+
+    Who adds a row that refers to the job, or changes such a row twice, goes on meanwhile: PostgreSQL only looks whether
+    the job is there.
+
+    Returns:
+        The job's state; None where there is no such job.
+    """
+    row = select(jobs.c.state).where(jobs.c.id == job_id).with_for_update(key_share=True)
+    state: str | None = connection.execute(row).scalar()
+    return state
 
 
 def mark_removed(connection: Connection, ids: Sequence[str]) -> None:
@@ -303,11 +309,9 @@ def mark_removed(connection: Connection, ids: Sequence[str]) -> None:
 
 def change_state(connection: Connection, job_id: str, before: Sequence[str], state: State, **values: Any) -> bool:
     """Change a job's state and add an event; False where it was in none of the states `before`."""
-    if connection.execute(select(jobs.c.state).where(jobs.c.id == job_id).with_for_update()).scalar() not in before:
+    if lock(connection, job_id) not in before:
         return False
     changed = {"state": state, **_times(state), **values}
-    # In one statement: at a second change of a row PostgreSQL looks whether its parent is there, and waits for who
-    # has locked that, as `cancel` does, which may wait for this row.
     try:
         update_row(connection, jobs, job_id, changed)
     except DamagedError:  # it stays damaged, and ends all the same

@@ -12,7 +12,7 @@ from backend.db.checksum import update_row
 from backend.db.tables import jobs
 from backend.store import Store
 from backend.store.jobs import lock
-from tests.api.test_job_store import BATCH
+from tests.api.test_job_store import BATCH, computed, rows
 from tests.servers import loops
 from tests.servers.postgres import Postgres
 from tests.servers.process import HANG_TIMEOUT
@@ -26,13 +26,15 @@ def store(postgres: Postgres, migrated_postgres: str) -> Iterator[Store]:
     """One with a queued job and another that this one submitted."""
     with closing(Store(postgres.new_database(migrated_postgres))) as store:
         for job in (BATCH, CHILD):
-            store.jobs.create(job)
+            store.jobs.create(job, rows())
         yield store
 
 
 async def waiting(store: Store, count: int) -> None:
     """Wait until so many transactions wait for others."""
-    locked = text("SELECT count(*) FROM pg_stat_activity WHERE wait_event_type = 'Lock'")
+    locked = text(
+        "SELECT count(*) FROM pg_stat_activity WHERE wait_event_type = 'Lock' AND datname = current_database()"
+    )
     async with asyncio.timeout(HANG_TIMEOUT):
         while True:
             with store.reading() as connection:
@@ -41,15 +43,20 @@ async def waiting(store: Store, count: int) -> None:
             await asyncio.sleep(0.01)
 
 
-def test_a_job_is_started_while_another_transaction_has_its_parent(store: Store) -> None:
+def test_a_job_goes_on_while_another_transaction_has_its_parent(store: Store) -> None:
     """Whoever cancels the parent has it, and waits for this job."""
     with store.writing() as connection:
         lock(connection, BATCH.id)
         store.jobs.start(CHILD.id)
-    assert there(store.jobs.load(CHILD.id)).state == "running"
+        store.job_runs.save(CHILD.id, computed("key-0"), "1", {1: "too steep"})
+        store.jobs.set_label(CHILD.id, "mine")
+    job = there(store.jobs.load(CHILD.id))
+    assert (job.state, job.done, job.failed, job.label) == ("running", 1, 1, "mine")
 
 
-def test_a_transaction_that_is_rolled_back_for_a_deadlock_is_begun_again(store: Store) -> None:
+def test_a_transaction_that_is_rolled_back_for_a_deadlock_is_begun_again(postgres: Postgres, store: Store) -> None:
+    before = postgres.log.count("deadlock detected")
+
     async def use() -> None:
         with store.writing() as other:
             other.exec_driver_sql("SET LOCAL deadlock_timeout = '1h'")  # it is the other one that looks, and is ended
@@ -65,6 +72,7 @@ def test_a_transaction_that_is_rolled_back_for_a_deadlock_is_begun_again(store: 
 
     loops.run(use)
     assert [there(store.jobs.load(job.id)).state for job in (BATCH, CHILD)] == ["cancelled", "cancelled"]
+    assert postgres.log.count("deadlock detected") == before + 1
 
 
 def test_a_row_that_two_change_at_once_keeps_a_checksum_that_fits(store: Store) -> None:

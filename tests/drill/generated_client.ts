@@ -31,7 +31,7 @@ const asked: Schemas["RunRequest"] = {
 };
 const run = await ask<Answer<"/api/v1/runs", "post", 200>>("POST", "/api/v1/runs", asked);
 const passive = run.strategies.passive;
-if (passive?.status !== "ok" || !passive.travel_time) throw new Error("the run has no result");
+if (passive?.status !== "ok" || (passive.travel_time ?? 0) <= 0) throw new Error("the run has no result");
 const stored = await ask<Answer<"/api/v1/runs/{id}", "get", 200>>("GET", `/api/v1/runs/${run.id}`);
 const sweep: Schemas["BatchRequest"] = {
   strategies: ["passive"],

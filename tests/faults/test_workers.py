@@ -11,6 +11,7 @@ from typing import Any
 import psutil
 import pytest
 
+from backend.compute import processes
 from backend.compute.workers import Workers
 from backend.errors import WorkerTimeoutError
 from backend.runs import WARM_UP
@@ -121,12 +122,12 @@ def test_a_task_that_nobody_waits_for_ends_or_never_begins(do: Do, tmp_path: Pat
 
 
 def test_a_package_whose_import_nobody_waits_for_can_be_imported_afterwards(do: Do, tmp_path: Path) -> None:
-    package, begun, ended = tmp_path / "slowly_imported", tmp_path / "begun", tmp_path / "ended"
+    package, begun, go = tmp_path / "slowly_imported", tmp_path / "begun", tmp_path / "go"
     package.mkdir()
     (package / "part.py").touch()
     (package / "__init__.py").write_text(
-        f"import slowly_imported.part, pathlib, time\n"
-        f"pathlib.Path({str(begun)!r}).touch(); time.sleep(0.3); pathlib.Path({str(ended)!r}).touch()"
+        f"import slowly_imported.part, pathlib, time\npathlib.Path({str(begun)!r}).touch()\n"
+        f"while not pathlib.Path({str(go)!r}).exists():\n    time.sleep(0.01)"
     )
     use_part = f"import sys; sys.path.insert(0, {str(tmp_path)!r}); import slowly_imported; slowly_imported.part"
 
@@ -138,12 +139,23 @@ def test_a_package_whose_import_nobody_waits_for_can_be_imported_afterwards(do: 
         task.cancel()
         with pytest.raises(asyncio.CancelledError):
             await task
-        assert not ended.exists(), "it was called off while it imported"
+        await asyncio.sleep(0.1)
+        go.touch()
         await workers.call(exec, use_part)
         assert await workers.call(os.getpid) == pid, "the process is well"
 
     do(use)
-    assert ended.exists()
+
+
+def test_an_interrupt_that_waits_for_an_import_ends_no_later_task(do: Do, tmp_path: Path) -> None:
+    (tmp_path / "interrupted_module.py").write_text(f"import os\nos.kill(os.getpid(), {int(processes.INTERRUPT)})")
+    imported = f"import sys; sys.path.insert(0, {str(tmp_path)!r}); import interrupted_module"
+
+    async def use(workers: Workers) -> None:
+        await workers.call(exec, imported)
+        await workers.call(time.sleep, 3 * processes.RETRY_INTERVAL)
+
+    do(use)
 
 
 def test_a_reserved_worker_answers_while_one_client_has_long_runs() -> None:
