@@ -185,17 +185,27 @@ it("under a moving slider curves follow each answer, what is read twice a second
   lab.drag(LOW);
   await answer("live");
   expect([shown(), newest()]).toEqual([LOW, LOW]);
-  for (const height of [3, 4]) {
+  for (const height of [3, 4, 5, 6]) {
+    await vi.advanceTimersByTimeAsync(100);
     lab.drag({ height });
     await answer("live");
     expect([shown(), newest()]).toEqual([LOW, { height }]);
   }
-  await vi.advanceTimersByTimeAsync(199);
-  expect(held.live).toHaveLength(3);
-  await vi.advanceTimersByTimeAsync(1);
-  expect(held.live).toHaveLength(4);
+  const asksAfter = async (ms: number) => {
+    const before = held.live.length;
+    await vi.advanceTimersByTimeAsync(ms - 1);
+    expect(held.live).toHaveLength(before);
+    await vi.advanceTimersByTimeAsync(1);
+    expect(held.live).toHaveLength(before + 1);
+    await answer("live");
+  };
+  await asksAfter(100);
+  expect(shown()).toEqual({ height: 6 });
+  lab.drag({ height: 7 });
   await answer("live");
-  expect(lab.get()).toMatchObject({ shown: { scenario: { height: 4 } }, busy: false });
+  expect([shown(), newest()]).toEqual([{ height: 6 }, { height: 7 }]);
+  await asksAfter(200);
+  expect(lab.get()).toMatchObject({ shown: { scenario: { height: 7 } }, busy: false });
 });
 
 it("of what is not read only the curves in sight are asked for, and a curve that comes into sight at once", async () => {

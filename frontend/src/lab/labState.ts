@@ -32,7 +32,7 @@ export interface LabState {
   readonly strategies: readonly StrategyId[];
   /** How many roads an exact run drives. */
   readonly roads: number;
-  /** What is read: under a moving slider it changes a few times a second. */
+  /** What is read: under a moving slider it changes twice a second. */
   readonly shown: Result | null;
   /** The newest exact result: under a moving slider it is no longer what is shown. */
   readonly latestResult: Result | null;

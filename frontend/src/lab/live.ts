@@ -13,12 +13,15 @@ import { withoutGone } from "../scenario/ownOptions";
 import { createAtom, type Atom } from "@tanstack/react-store";
 import { createTimer, type Timer } from "../lib/timer";
 
-/** Samples of a curve: more of them nobody tells apart on panels of 480 px. */
+/** Samples of a curve where a panel, some 400 px wide, shows the bump, on which half of them lie. */
 const POINTS = 400;
 const POINTS_MOST = 2500;
 
-/** So often what is read follows a moving slider, and so soon one that rests [ms]: curves alone follow each answer, of the signals in sight. */
-const [READ_MS, REST_MS] = [500, 200];
+/** So often what is read follows a moving slider [ms]: each answer is followed by the curves in sight alone. */
+const READ_MS = 500;
+
+/** A slider rests when it has not moved for so long [ms]: on a slow machine its moves come further apart than 100 ms. */
+const REST_MS = 200;
 
 /** Shades the stages of every panel. */
 const ALWAYS_DRAWN = ["brake_pressure"];
@@ -52,14 +55,14 @@ interface Parts extends Pick<Services, "api" | "labAddress"> {
 export function createLive({ store, grace, api, labAddress, form }: Parts) {
   const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
 
-  /** The bump has half of all samples; zoomed in by hand, the same density takes more of them over the whole run. */
+  /** Beside the bump samples lie further apart: what shows more takes twice as many, and the more the less it shows. */
   const points = () => {
     const { zoom, axis, differences } = labAddress.get().view;
     if (differences) return ALL_POINTS;
-    if (zoom === "whole") return 2 * POINTS;
+    if (zoom === null) return POINTS;
     const longest = Object.values(store.get().shown?.series ?? {}).map((series) => series[axisKey(axis)]?.at(-1) ?? 0);
     const part = Array.isArray(zoom) ? (zoom[1] - zoom[0]) / Math.max(1e-9, ...longest) : 1;
-    return Math.round(Math.min(POINTS_MOST, POINTS / Math.max(part, 0.01)));
+    return Math.round(Math.min(POINTS_MOST, (2 * POINTS) / Math.max(part, 0.01)));
   };
 
   const answered = createAtom<Result | null>(null);
