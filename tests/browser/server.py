@@ -3,8 +3,7 @@
 from pathlib import Path
 from typing import Any
 
-from tests.servers.api import Api
-from tests.servers.process import request
+from tests.servers.api import Api, ask
 
 
 class Server(Api):
@@ -29,11 +28,11 @@ class Server(Api):
 
     def get(self, path: str) -> Any:
         """The JSON at a path of the API."""
-        return request("GET", f"{self.url}/api/v1{path}").raise_for_status().json()
+        return ask(self.url, "GET", path)
 
     def post(self, path: str, body: dict[str, Any]) -> Any:
         """The JSON the API answers to this body."""
-        return request("POST", f"{self.url}/api/v1{path}", json=body).raise_for_status().json()
+        return ask(self.url, "POST", path, json=body)
 
     def submit(self, sweep: dict[str, Any], strategies: list[str]) -> str:
         """Submits a batch over the paper's scenario, as a script does; returns its page's path."""
