@@ -24,7 +24,6 @@ from backend.store.job import FINAL
 from tests.faults.histories.lead import Server
 from tests.faults.histories.loop import SimulatedLoop, replica
 from tests.faults.histories.workers import Machine
-from tests.servers import loops
 
 LASTS = 120.0  # for which users act and faults happen [s]
 HEALED = 400.0  # afterwards every job has to end within so long [s]
@@ -65,8 +64,7 @@ class Jobs:
 
     def run(self) -> int:
         """Drive it; the number of its steps. Raises BrokenPromiseError where an invariant does not hold."""
-        loops.run(self._run, lambda: self.loop)
-        return self.loop.steps
+        return self.loop.drive(self._run)
 
     async def _run(self) -> None:
         kind = JobKind(name="sweep", word="batch", plural="batches", compute=_never)
@@ -95,8 +93,11 @@ class Jobs:
             self._machine.dying = 1.0  # of the executors' end too
             end = self.loop.time() + ENDED
             for made in schedulers:
-                async with asyncio.timeout_at(end):
-                    await made.close()
+                try:
+                    async with asyncio.timeout_at(end):
+                        await made.close()
+                except Exception as error:  # noqa: BLE001 - whatever it was
+                    self.loop.broken(f"a service does not end in order: {error!r}")
                 if self.loop.time() >= end:
                     self.loop.broken("a service does not end")
 

@@ -2,12 +2,14 @@
 
 import asyncio
 import selectors
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine
 from contextvars import ContextVar
 from typing import Any, NoReturn, TypeVar
 
 import numpy as np
 from sqlalchemy.exc import OperationalError
+
+from tests.servers import loops
 
 T = TypeVar("T")
 LONGEST_CALL = 0.05  # of a call in a thread [s]
@@ -51,6 +53,20 @@ class SimulatedLoop(asyncio.SelectorEventLoop):
         self.paused: dict[str, float] = {}
         self._broken: BrokenPromiseError | None = None
         self._told = False
+
+    def drive(self, main: Callable[[], Coroutine[Any, Any, None]]) -> int:
+        """Run the history; the number of its steps.
+
+        Raises:
+            BrokenPromiseError: An invariant did not hold, whatever else came of that.
+        """
+        try:
+            loops.run(main, lambda: self)
+        except Exception:
+            if self._broken is not None:
+                raise self._broken from None
+            raise
+        return self.steps
 
     def time(self) -> float:
         """Of the history [s]."""

@@ -14,7 +14,6 @@ from backend.gate.gate import Gate
 from backend.settings import Settings
 from tests.faults.histories.loop import SimulatedLoop
 from tests.faults.histories.workers import Machine
-from tests.servers import loops
 
 LASTS = 300.0  # for which clients ask [s]
 LONGEST_WAIT = 600.0  # of a request, refused or not [s]
@@ -61,8 +60,7 @@ class Requests:
 
     def run(self) -> int:
         """Drive it; the number of its steps. Raises BrokenPromiseError where an invariant does not hold."""
-        loops.run(self._run, lambda: self.loop)
-        return self.loop.steps
+        return self.loop.drive(self._run)
 
     async def _run(self) -> None:
         settings = Settings(workers=2)
