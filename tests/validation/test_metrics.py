@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, PAPER_SIGNALS, SIGNALS, WINDOWS
 from sim_core.metrics.comfort import wk_gain
 from sim_core.metrics.evaluate import rms_between
+from sim_core.metrics.windows import section_ends
 from sim_core.result import Series
 from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.presets import preset
@@ -91,6 +92,11 @@ def test_load_coefficients_are_over_the_static_loads() -> None:
     for axle, static in zip(("front", "rear"), scenario.vehicle.static_loads, strict=True):
         rough = result.metrics["rough_road"][f"{axle}_tyre_load"]["rms"]
         assert result.comfort[f"{axle}_dynamic_load_coefficient"] == pytest.approx(rough / static)
+        assert result.reference[f"{axle}_static_load"] == static
+
+
+def test_a_section_ends_at_a_sample_that_is_as_near_as_rounding() -> None:
+    assert section_ends([(719.9999999, 720.5)]).tolist() == [[720, 720.5]]
 
 
 def test_a_window_ends_where_the_drive_does_not_where_a_sample_is() -> None:
