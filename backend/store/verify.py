@@ -33,7 +33,7 @@ from backend.store.damage import drop_pins, drop_results, is_intact_result
 logger = logging.getLogger(__name__)
 
 PAGE = 500  # rows read in one transaction
-UNREADABLE = (DamagedError, ValueError)  # text that is no JSON, no time, or no text
+UNREADABLE = (DamagedError, ValueError, TypeError)  # text that is no JSON, no time, or no text; a number for text
 SEALED = (results, pinned_series, runs, links, roads, recordings, jobs, job_runs, trials)
 
 

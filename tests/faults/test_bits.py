@@ -56,9 +56,10 @@ def test_a_text_whose_type_became_bytes_is_damaged_and_its_run_is_computed_again
         "done = done - 1",
         "progress = '{\"attempt\":2}'",
         "progress = '{'",
+        "created_at = CAST(created_at AS BLOB)",
     ],
 )
-def test_a_job_that_is_not_where_its_last_event_says_is_damaged(file: Path, change: str) -> None:
+def test_a_job_that_is_not_as_its_last_event_says_or_not_readable_is_damaged(file: Path, change: str) -> None:
     with closing(sqlite3.connect(file)) as connection:
         connection.execute(f"UPDATE jobs SET {change} WHERE kind = 'tuning'")  # noqa: S608  # our own
         connection.commit()
