@@ -1,5 +1,6 @@
 """Column types: JSON as text that orjson writes, and times that know they are UTC."""
 
+from collections.abc import Callable
 from datetime import UTC, datetime
 from typing import Any
 
@@ -33,6 +34,18 @@ class Utc(TypeDecorator[datetime]):
 
     impl = DateTime(timezone=True)
     cache_ok = True
+
+    def result_processor(self, dialect: Any, coltype: Any) -> Callable[[Any], datetime | None] | None:
+        """What makes a time of a stored value, and raises DamagedError where it is none."""
+        read = super().result_processor(dialect, coltype)
+
+        def time(value: Any) -> datetime | None:
+            try:
+                return read(value) if read else value
+            except (TypeError, ValueError):
+                raise DamagedError("row") from None
+
+        return time
 
     def process_result_value(self, value: datetime | None, dialect: Any) -> datetime | None:
         """The time with its zone."""

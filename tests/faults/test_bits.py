@@ -11,6 +11,7 @@ from sqlalchemy import select
 
 from backend.__main__ import main
 from backend.db.tables import runs
+from backend.errors import DamagedError
 from backend.store import Store
 from backend.store.verify import verify
 from tests.faults import bits
@@ -100,3 +101,13 @@ def test_verify_names_what_is_damaged(file: Path, capsys: pytest.CaptureFixture[
     assert main([*arguments, "--json"]) == 1
     verdict = json.loads(capsys.readouterr().out)
     assert (verdict["sound"], verdict["rows"]["results"], len(verdict["damaged"]["results"])) == (False, 87, 1)
+
+
+@pytest.mark.parametrize("value", ["CAST(created_at AS BLOB)", "'no time'"])
+def test_a_run_whose_time_is_none_is_damaged(file: Path, value: str) -> None:
+    with closing(sqlite3.connect(file)) as connection:
+        connection.execute(f"UPDATE runs SET created_at = {value}")  # noqa: S608  # our own
+        connection.commit()
+        (run_id,) = connection.execute("SELECT id FROM runs LIMIT 1").fetchone()
+    with closing(Store(f"sqlite:///{file}")) as store, pytest.raises(DamagedError):
+        store.runs.load(run_id)
