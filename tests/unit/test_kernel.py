@@ -3,6 +3,7 @@
 import subprocess
 import sys
 from collections.abc import Callable
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -68,6 +69,7 @@ def test_it_is_plain_c11_to_the_machines_compiler(tmp_path: Path) -> None:
 # In a process of its own: a library is loaded once.
 DRIVE = """
 import hashlib, sys
+from itertools import pairwise
 from pathlib import Path
 read = Path.read_text
 if "--plain" in sys.argv:
@@ -240,3 +242,24 @@ def test_roughness_is_a_filtered_walk_and_says_between_which_slopes_it_lies() ->
     between = binding.roughness(heights, deviation, keep, grid)
     np.testing.assert_allclose(heights, expected, rtol=1e-12)
     assert between == pytest.approx(np.ptp(np.diff(expected)) / grid, rel=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_extremes_of_windows_are_shown_and_lines_miss_samples_by_shares_of_the_span(seed: int) -> None:
+    values = default_rng(seed).normal(size=60).astype(np.float32)
+    values[default_rng(seed).integers(60, size=3)] = np.nan
+    windows = np.array([2, 5, 22, 41, 58], dtype=np.intc)
+    parts = np.array([[2, 7, 3], [25, 4, 8]], dtype=np.intc)
+    shown, missed = np.zeros(60, dtype=np.uint8), np.zeros(53, dtype=np.float32)
+    binding.sample_marker(windows, parts, shown, missed)(values)
+    extremes = set[int]()
+    for first, last in pairwise(windows.tolist()):
+        extremes |= {first + int(find(values[first:last])) for find in (np.nanargmin, np.nanargmax)}
+    assert set(np.flatnonzero(shown).tolist()) == extremes
+    span = np.nanmax(values[2:58]) - np.nanmin(values[2:58])
+    expected = []
+    for first, stride, gaps in parts.tolist():
+        for node in range(first, first + stride * gaps, stride):
+            line = np.interp(np.arange(stride), [0, stride], values[[node, node + stride]])
+            expected += np.nan_to_num(np.abs(values[node : node + stride] - line) / span).tolist()
+    assert missed == pytest.approx(expected, abs=1e-6)
