@@ -26,4 +26,5 @@ def still_car(steps: int = 6, fine: int = 1, **changed: Any) -> prepared.DrivenC
         "fine_step": 1e-3,
         "recorder": None,
     }
+    assert changed.keys() <= right.keys(), "a misspelt name would pass for an array that is refused"
     return prepared.DrivenCar(**(right | changed))
