@@ -106,6 +106,10 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
       const { group, signals } = form();
       const { strategies, stale } = store.get();
       const isRead = isReadNext || stale;
+      if (isRead) {
+        isReadNext = false;
+        reading.start();
+      }
       const body = {
         scenario: withoutGone(group, scenario),
         strategies: simulated(strategies),
@@ -120,11 +124,8 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
       else grace.start();
       if (store.get().drag === null) return;
       answered.set(withRecorded(fromLive(answer, performance.now() - startedAt), store.get().latestResult));
-      if (isRead) {
-        isReadNext = false;
-        reading.start();
-        show();
-      } else readRest();
+      if (isRead) show();
+      else readRest();
     },
     onError: (error) => {
       // While dragging, an overloaded or silent server only means no new curves; the release asks again.
