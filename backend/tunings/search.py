@@ -8,6 +8,7 @@ import logging
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from importlib import import_module
 from types import ModuleType
 from typing import Any
 
@@ -74,8 +75,7 @@ def _frozen_trial(
 
 @cache
 def _optuna() -> ModuleType:
-    import optuna
-
+    optuna = import_module("optuna")
     optuna.logging.disable_default_handler()
     optuna.logging.set_verbosity(logging.ERROR)
     return optuna
