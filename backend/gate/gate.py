@@ -3,9 +3,11 @@
 So an overload is refused early, no client keeps others waiting, and nobody waits for ever.
 """
 
+import asyncio
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from weakref import WeakValueDictionary
 
 from backend.compute.fair_queue import SHORT
 from backend.errors import CHEAPER_RUN, CostLimitError
@@ -14,6 +16,8 @@ from backend.gate.quotas import quotas
 from backend.gate.token_bucket import TokenBucket
 from backend.settings import Settings
 
+# A browser asks a server for six at once. Each step of another client's request waits for a step of every read begun.
+READS_AT_ONCE = 8
 MOST_LINK_TOKENS, LINK_TOKENS_EACH_SECOND = 120, 2  # of one client; a link takes no more, however much it pins
 _computing: ContextVar[bool] = ContextVar("computing", default=False)  # whether what follows is counted already
 
@@ -33,6 +37,7 @@ class Gate:
         self._open: dict[str, dict[str, float]] = {name: {} for name in self.quotas}  # by quota and client
         self._max_request_cost = settings.max_request_cost
         self._backlog = Backlog(workers=settings.workers, max_wait=settings.max_wait)
+        self._reads: WeakValueDictionary[str, asyncio.Semaphore] = WeakValueDictionary()  # by client
         self._links = TokenBucket(what="new links", burst=MOST_LINK_TOKENS, each_second=LINK_TOKENS_EACH_SECOND)
 
     @property
@@ -112,6 +117,10 @@ class Gate:
                 yield
             finally:
                 _computing.reset(token)
+
+    def reading(self, client: str) -> asyncio.Semaphore:
+        """What a request of that client that computes nothing holds while it is answered: further ones wait for it."""
+        return self._reads.setdefault(client, asyncio.Semaphore(READS_AT_ONCE))
 
     def linking(self, client: str, *, links: int = 1, pinned: int = 0) -> None:
         """Count new links of that client, and the strategies whose time histories they pin (0.8 MB each).

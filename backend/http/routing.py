@@ -129,8 +129,12 @@ class StrictRoute(APIRoute):
                     request._body = body
                 if body:
                     request._json = await _parse(body, self.MAX_VALUES)
-                answering = handler(request)
-                return await (cancel_on_disconnect(request, answering) if self.COMPUTES else answering)
+                if self.COMPUTES:
+                    return await cancel_on_disconnect(request, handler(request))
+                if takes_body:
+                    return await handler(request)
+                async with parts_of(request).gate.reading(client_of(request)):
+                    return await handler(request)
 
         return strict
 

@@ -9,11 +9,12 @@ import pytest
 from backend.errors import BusyError, TooManyRequestsError
 from backend.gate import Gate
 from backend.gate.backlog import Backlog
+from backend.gate.gate import READS_AT_ONCE
 from backend.gate.quota import Quota
 from backend.gate.token_bucket import TokenBucket
 from backend.http.client_key import client_key
 from backend.settings import Settings
-from tests.servers.process import wait_until
+from tests.servers.process import HANG_TIMEOUT, wait_until
 
 
 def refusal(opened: AbstractContextManager[Any]) -> tuple[int, int]:
@@ -224,3 +225,30 @@ def test_a_full_service_answers_what_is_stored_and_for_health(service: Any, run:
         for path in (f"/api/v1/runs/{run['id']}", "/api/v1/schema", "/healthz", "/readyz"):
             assert service.client.get(path).status_code == 200
     assert service.live(["passive"], new).status_code == 200
+
+
+def test_of_one_clients_reads_some_are_answered_at_a_time_and_nothing_else_waits_for_them(
+    service: Any, run: dict[str, Any]
+) -> None:
+    gate = service.app.state.services.gate
+    turns = gate.reading("127.0.0.1")
+
+    async def take() -> None:
+        for _ in range(READS_AT_ONCE):
+            await turns.acquire()
+
+    async def give_back() -> None:
+        for _ in range(READS_AT_ONCE):
+            turns.release()
+
+    service.inside(take())
+    with service.begun("GET", "/api/v1/batches") as waiting:
+        assert service.run(list(run["strategies"]), run["scenario"]).status_code == 200
+        assert service.client.get("/readyz").status_code == 200
+        assert not gate.reading("127.0.0.2").locked()
+        waiting.settimeout(0.2)
+        with pytest.raises(TimeoutError):
+            waiting.recv(1)
+        service.inside(give_back())
+        waiting.settimeout(HANG_TIMEOUT)
+        assert waiting.recv(12) == b"HTTP/1.1 200"
