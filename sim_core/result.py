@@ -37,11 +37,11 @@ class Series(Mapping[str, FloatArray]):
     def between(self, key: str, start: int, end: int, dtype: type[np.floating[Any]] = np.float64) -> NDArray[Any]:
         """A signal's samples from `start` up to before `end`."""
         if key in self._shared:
-            return self._shared[key][start:end].astype(dtype, copy=False)
+            return np.asarray(self._shared[key][start:end], dtype)
         rows = self._columns[key]
         each = rows.shape[1] - 1
         first = start // each
-        return rows[first : -(-end // each), :-1].astype(dtype).reshape(-1)[start - first * each : end - first * each]
+        return rows[first : -(-end // each), :-1].astype(dtype).ravel()[start - first * each : end - first * each]
 
     def at(self, key: str, samples: NDArray[np.intp]) -> FloatArray:
         """A signal at these samples alone."""

@@ -14,7 +14,7 @@ from sim_core.speed.profile import make_speed_profile
 from sim_core.speed.stages import segments, spans
 from sim_core.strategies import make_controller, resolve_speed_plan
 
-_ANY_ROAD = Road(length=30, bump=Bump(height=0, start=20))
+_ANY_ROAD = Road(length=30, bump=Bump(start=20))
 
 
 @one_thread()
@@ -46,7 +46,7 @@ def simulate(scenario: Scenario, strategy: str | type[Controller] | Controller) 
 
 
 def on_any_road(scenario: Scenario) -> Scenario:
-    """The scenario on a short, even road: no control law depends on it, a Kalman filter on its roughness alone."""
+    """The scenario on a short road: no control law depends on it, a Kalman filter on its roughness alone."""
     return scenario.model_copy(update={"road": _ANY_ROAD.model_copy(update={"roughness": scenario.road.roughness})})
 
 

@@ -5,6 +5,7 @@ import stat
 import sys
 import zipfile
 import zlib
+from collections.abc import Callable
 from contextlib import suppress
 from hashlib import sha256
 from io import BytesIO
@@ -17,6 +18,7 @@ from sim_core.fmi.description import Description, read_description
 
 MOST_FILES, MOST_BYTES = 20_000, 500_000_000  # that an FMU unpacks to
 _SYSTEMS = {"linux": ("linux", ".so"), "win32": ("windows", ".dll"), "darwin": ("darwin", ".dylib")}
+_user: Callable[[], int] = getattr(os, "getuid", int)  # Windows has no numbers of users
 _OLD_NAMES = {
     "x86_64-linux": "linux64",
     "x86_64-windows": "win64",
@@ -101,7 +103,3 @@ def _store() -> Path:
     if shared or not stat.S_ISDIR(status.st_mode):
         raise RidelabError(f"The folder {path} for unpacked FMUs is somebody else's")
     return path
-
-
-def _user() -> int:
-    return os.getuid() if os.name == "posix" else 0

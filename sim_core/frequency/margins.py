@@ -102,10 +102,10 @@ def _margin(at_real: FloatArray, at_unit: ComplexArray, unit: FloatArray) -> Loo
     phases = 2 * np.abs(np.array([asin(min(abs(1 + each) / 2, 1)) for each in at_unit]))
     lags = np.mod(np.angle(at_unit) + pi, 2 * pi)
     return LoopMargin(
-        gain=float(factors[factors > 1].min()) if (factors > 1).any() else None,
-        gain_reduction=float(factors[factors < 1].max()) if (factors < 1).any() else None,
-        phase=float(phases.min()) if len(phases) else None,
-        delay=float((lags / unit).min()) if len(unit) else None,
+        gain=min(factors[factors > 1].tolist(), default=None),
+        gain_reduction=max(factors[factors < 1].tolist(), default=None),
+        phase=min(phases.tolist(), default=None),
+        delay=min((lags / unit).tolist(), default=None),
     )
 
 

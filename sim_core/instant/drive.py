@@ -47,8 +47,7 @@ class Drive:
         if not 0 <= asked <= end:
             unit = "m" if time is None else "s"
             raise RidelabError(f"The drive goes from 0 to {end:.4g} {unit}")
-        near = _NEAR * float(starts[-1] - starts[0])
-        return max(int(starts.searchsorted(asked + near, side="right")) - 1, 0)
+        return max(int(starts.searchsorted(asked + _NEAR * end, side="right")) - 1, 0)
 
     def seen(self, step: int, *, answered: bool = False) -> Seen:
         """What the controller saw in that step; `answered`: its previous force is its last answer, arrived or not."""

@@ -9,7 +9,8 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 
-SPACING = 0.01  # between heights [m]: the grid of `sim_core.road.profile`
+PER_METRE = 100  # heights
+SPACING = 1 / PER_METRE  # between heights [m]: the grid of `sim_core.road.profile`
 RESOLUTION = 1e-6  # of a height [m]
 ID_LENGTH = 22
 ID_PATTERN = f"^[A-Za-z0-9][A-Za-z0-9_-]{{{ID_LENGTH - 1}}}$"
@@ -38,7 +39,7 @@ class MeasuredRoad:
     @property
     def length(self) -> float:
         """From the first height to the last [m]."""
-        return round((self.samples - 1) * SPACING, 2)
+        return (self.samples - 1) / PER_METRE
 
     @classmethod
     def of(cls, heights: FloatArray) -> "MeasuredRoad":

@@ -49,5 +49,5 @@ def segments(stages: tuple[Span, ...], position: FloatArray) -> list[Segment]:
     """
     firsts = [0] + [int(position.searchsorted(span.start_position - REACHED)) for span in stages[1:]]
     lasts = [*firsts[1:], len(position)]
-    every = zip(stages, firsts, lasts, strict=True)
-    return [Segment(span.stage, first, last) for span, first, last in every if last > first]
+    every = map(Segment, [span.stage for span in stages], firsts, lasts)
+    return [each for each in every if each.last > each.first]

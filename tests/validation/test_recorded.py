@@ -1,5 +1,7 @@
 """Recordings: placed where they were made, and judged as the simulated drive they are a recording of."""
 
+from math import nan
+
 import numpy as np
 import pytest
 
@@ -85,6 +87,14 @@ def test_what_was_not_recorded_has_no_metric() -> None:
     assert np.isnan(result.metrics["bump"]["front_force"]["rms"])
     assert np.isnan(result.comfort["weighted_rms"])
     assert set(there(result.recording).missing) == set(METRIC_SIGNALS) - {"body_acceleration"}
+
+
+@pytest.mark.parametrize(("start", "end", "rms"), [(0.5, 149.5, 2.0), (0.51, 149.5, nan), (0.5, 149.49, nan)])
+def test_half_a_metre_may_lack_at_either_end_of_the_road(start: float, end: float, rms: float) -> None:
+    position = np.array([start, 100.0, end])
+    drive = RecordedDrive.of({"time": position, "position": position, "body_acceleration": np.full(3, 2.0)})
+    whole = recorded_result(SCENARIO, drive).metrics["whole"]
+    assert whole["body_acceleration"]["rms"] == pytest.approx(rms, nan_ok=True)
 
 
 def test_a_drive_without_time_and_speed_has_no_travel_time() -> None:
