@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 import orjson
-from sqlalchemy import Column, Connection, LargeBinary, Row, String, Table, select, update
+from sqlalchemy import Column, ColumnElement, Connection, LargeBinary, Row, String, Table, bindparam, select, update
 
 from backend.errors import DamagedError
 
@@ -18,13 +18,19 @@ UNCHECKED = "unchecked"
 LENGTH = 16  # hexadecimal digits: 64 bits, which chance does not meet
 
 
-def checksum_column(*covered: str) -> Column[str]:
-    """A table's column `checksum`, filled when a row is inserted; it covers the columns of these names."""
+def checksum_column(*covered: str, later: str | None = None) -> Column[str]:
+    """A table's column `checksum`, filled when a row is inserted.
+
+    Args:
+        covered: Names of the columns that it covers.
+        later: One more, where that holds a text; rows of before it was covered have a checksum of the others alone.
+    """
+    info = {"covered": (*covered, *[later] * (later is not None)), "later": later}
 
     def of_inserted(context: Any) -> str:
-        return digest_of(context.get_current_parameters()[name] for name in covered)
+        return _checksum(info, context.get_current_parameters())
 
-    return Column("checksum", String(LENGTH), nullable=True, default=of_inserted, info={"covered": covered})
+    return Column("checksum", String(LENGTH), nullable=True, default=of_inserted, info=info)
 
 
 def covered(table: Table) -> tuple[str, ...]:
@@ -45,9 +51,29 @@ def update_row(connection: Connection, table: Table, key: str, values: Mapping[s
         row = connection.execute(select(table).where(column == key).with_for_update(key_share=True)).one()
         check(table, row, "row")
         if row.checksum != UNCHECKED:
-            changed["checksum"] = digest_of({**row._mapping, **values}[name] for name in covered(table))
+            changed["checksum"] = _checksum(table.c.checksum.info, {**row._mapping, **values})
     if changed:
         connection.execute(update(table).where(column == key).values(**changed))
+
+
+def update_rows(connection: Connection, table: Table, of: ColumnElement[bool], values: Mapping[str, Any]) -> int:
+    """Change values of rows, and with them the checksums of those that are intact; how many there are.
+
+    Args:
+        connection: In a transaction that keeps others from changing them.
+        table: Whose rows.
+        of: Which of them.
+        values: By column, the same for all.
+    """
+    new = []
+    for row in connection.execute(select(table).where(of)).all():
+        changed = {**row._mapping, **values}
+        checksum = _checksum(table.c.checksum.info, changed) if is_intact(table, row) else row.checksum
+        new.append({f"its_{column.name}": changed[column.name] for column in table.primary_key} | {"new": checksum})
+    if new:
+        its_key = (column == bindparam(f"its_{column.name}") for column in table.primary_key)
+        connection.execute(update(table).where(*its_key).values(**values, checksum=bindparam("new")), new)
+    return len(new)
 
 
 def is_intact(table: Table, row: Row[Any], prefix: str = "") -> bool:
@@ -60,12 +86,12 @@ def is_intact(table: Table, row: Row[Any], prefix: str = "") -> bool:
     """
     stored = row._mapping[f"{prefix}checksum"]
     values = {name: row._mapping[f"{prefix}{name}"] for name in covered(table)}
-    # SQLite keeps a type with each value: one flipped bit there makes bytes of a text.
-    if any(
-        isinstance(value, bytes) and not isinstance(table.c[name].type, LargeBinary) for name, value in values.items()
-    ):
+    if not all(_is_of_its_type(table.c[name], value) for name, value in values.items()):
         return False
-    return stored in (UNCHECKED, digest_of(values.values()))
+    info = table.c.checksum.info
+    if stored in (UNCHECKED, _checksum(info, values)):
+        return True
+    return info["later"] is not None and stored == _checksum(info, values | {info["later"]: None})
 
 
 def check(table: Table, row: Row[Any], what: str) -> None:
@@ -76,6 +102,19 @@ def check(table: Table, row: Row[Any], what: str) -> None:
     """
     if not is_intact(table, row):
         raise DamagedError(what)
+
+
+def _is_of_its_type(column: Column[Any], value: Any) -> bool:
+    """SQLite keeps a type with each value: one flipped bit there makes bytes of a text, or a number of nothing."""
+    if isinstance(column.type, String):
+        return isinstance(value, str | None)
+    return isinstance(column.type, LargeBinary) or not isinstance(value, bytes)
+
+
+def _checksum(info: Mapping[str, Any], values: Mapping[str, Any]) -> str:
+    """Of a row with these values; `info` is that of its table's column."""
+    names = (name for name in info["covered"] if name != info["later"] or values.get(name) is not None)
+    return digest_of(values[name] for name in names)
 
 
 def digest_of(values: Iterable[Any]) -> str:

@@ -3,9 +3,9 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sqlalchemy import Connection, Row, Select, Update, bindparam, select, update
+from sqlalchemy import Connection, Row, Select, bindparam, select, update
 
-from backend.db.checksum import check, is_intact
+from backend.db.checksum import check, is_intact, update_rows
 from backend.db.database import RowStore
 from backend.db.tables import EXPIRED, job_runs, jobs, results
 from backend.errors import DamagedError
@@ -13,7 +13,7 @@ from backend.job_run import JobRow, JobRun
 from backend.outcome import Outcome
 from backend.store.damage import drop_results, is_intact_result
 from backend.store.job_events import add_event
-from backend.store.jobs import lock
+from backend.store.jobs import lock, waiting_runs
 from backend.store.runs import insert_results
 
 RESULT = "result_"  # before the names of a result's columns beside those of its run
@@ -70,7 +70,7 @@ class JobRunStore(RowStore):
         """Give waiting runs (by position) the keys of another core version, or the reason why they have none."""
         with self._database.writing() as connection:
             lock(connection, job_id)
-            at = _update_waiting(job_id).where(job_runs.c.position == bindparam("at"))
+            at = update(job_runs).where(waiting_runs(job_id), job_runs.c.position == bindparam("at"))
             new = [{"at": position, "key": key} for position, (key, _) in keys.items() if key is not None]
             if new:
                 connection.execute(at.values(result_key=bindparam("key")), new)
@@ -120,13 +120,9 @@ def _waiting_runs(job_id: str) -> Select[Any]:
     return (
         select(*job_runs.c, results.c.status.label("stored"))
         .join_from(job_runs, results, has_result, isouter=True)
-        .where(job_runs.c.job_id == job_id, job_runs.c.status == "waiting")
+        .where(waiting_runs(job_id))
         .order_by(job_runs.c.position)
     )
-
-
-def _update_waiting(job_id: str) -> Update:
-    return update(job_runs).where(job_runs.c.job_id == job_id, job_runs.c.status == "waiting")
 
 
 def _settle(connection: Connection, job_id: str, statuses: Mapping[str, str]) -> None:
@@ -137,7 +133,7 @@ def _settle(connection: Connection, job_id: str, statuses: Mapping[str, str]) ->
         # Locked, so that retention sees that the run has it before it removes it.
         of_status = select(results.c.key).where(results.c.key.in_(keys), results.c.status == status)
         there = list(connection.execute(of_status.order_by(results.c.key).with_for_update(read=True)).scalars())
-        matching = _update_waiting(job_id).where(job_runs.c.result_key.in_(there))
+        matching = update(job_runs).where(waiting_runs(job_id), job_runs.c.result_key.in_(there))
         counts[status] = connection.execute(matching.values(status=status)).rowcount
     _count(connection, job_id, done=counts["ok"], failed=counts["failed"])
 
@@ -146,8 +142,8 @@ def _fail(connection: Connection, job_id: str, reasons: Mapping[int, str]) -> in
     """Set waiting runs (by position) to failed, with the reason; returns how many did wait."""
     failed = 0
     for position, reason in reasons.items():
-        at = _update_waiting(job_id).where(job_runs.c.position == position)
-        failed += connection.execute(at.values(status="failed", reason=reason)).rowcount
+        at = waiting_runs(job_id) & (job_runs.c.position == position)
+        failed += update_rows(connection, job_runs, at, {"status": "failed", "reason": reason})
     _count(connection, job_id, done=0, failed=failed)
     return failed
 

@@ -13,7 +13,7 @@ from typing import Any
 from sqlalchemy import ColumnElement, Connection, Row, Select, and_, case, delete, func, insert, or_, select, update
 from sqlalchemy.exc import IntegrityError
 
-from backend.db.checksum import UNCHECKED, check, update_row
+from backend.db.checksum import UNCHECKED, check, update_row, update_rows
 from backend.db.clock import UNSTORED, Now
 from backend.db.database import RowStore, insert_new
 from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, trials
@@ -143,7 +143,7 @@ class JobStore(RowStore):
 
     def finish(self, job_id: str) -> bool:
         """Set a job to done; False, and no change, while one of its runs waits."""
-        waiting = select(job_runs.c.position).where(job_runs.c.job_id == job_id, job_runs.c.status == "waiting")
+        waiting = select(job_runs.c.position).where(waiting_runs(job_id))
         with self._database.writing() as connection:
             lock(connection, job_id)
             if connection.execute(waiting.limit(1)).first() is not None:
@@ -160,8 +160,7 @@ class JobStore(RowStore):
         """Set a sweep to failed, with its waiting runs, whose results can never be stored."""
         with self._database.writing() as connection:
             if change_state(connection, job_id, UNFINISHED, "failed", reason=reason):
-                waiting = update(job_runs).where(job_runs.c.job_id == job_id, job_runs.c.status == "waiting")
-                connection.execute(waiting.values(status="cancelled", reason=reason))
+                update_rows(connection, job_runs, waiting_runs(job_id), {"status": "cancelled", "reason": reason})
         self._database.changed(job_id)
 
     def cancel(self, job_id: str) -> None:
@@ -172,8 +171,7 @@ class JobStore(RowStore):
             family = [job_id, *connection.execute(children).scalars()]
             for each in family:
                 if change_state(connection, each, UNFINISHED, "cancelled"):
-                    waiting = update(job_runs).where(job_runs.c.job_id == each, job_runs.c.status == "waiting")
-                    connection.execute(waiting.values(status="cancelled"))
+                    connection.execute(update(job_runs).where(waiting_runs(each)).values(status="cancelled"))
         self._database.changed(*family)
 
     def resume(self, job_id: str, **values: Any) -> None:
@@ -299,6 +297,11 @@ def lock(connection: Connection, job_id: str) -> str | None:
     row = select(jobs.c.state).where(jobs.c.id == job_id).with_for_update(key_share=True)
     state: str | None = connection.execute(row).scalar()
     return state
+
+
+def waiting_runs(job_id: str) -> ColumnElement[bool]:
+    """Which runs are a job's that wait."""
+    return and_(job_runs.c.job_id == job_id, job_runs.c.status == "waiting")
 
 
 def mark_removed(connection: Connection, ids: Sequence[str]) -> None:

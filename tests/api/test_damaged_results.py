@@ -1,6 +1,7 @@
 """A stored result of which a bit has flipped is noticed, computed again and counted; a link's reader is told."""
 
 import re
+from contextlib import closing
 from dataclasses import replace
 from typing import Any
 
@@ -11,6 +12,7 @@ from sqlalchemy import text as sql
 
 from backend.db.checksum import UNCHECKED
 from backend.db.tables import job_runs, jobs, pinned_series, results, run_results
+from backend.errors import DamagedError
 from backend.metrics import DAMAGED_RESULTS
 from backend.store import Store
 from backend.store.verify import verify
@@ -18,7 +20,9 @@ from tests.api.conftest import HEIGHTS
 from tests.api.test_job_store import BATCH, computed, rows
 from tests.api.test_links import opened, share
 from tests.api.test_store import outcomes, save
+from tests.data import release
 from tests.servers import batches
+from tests.servers.postgres import Postgres
 from tests.there import there
 
 
@@ -146,6 +150,37 @@ def test_what_a_replica_of_0_3_0_expires_is_not_damaged(store: Store) -> None:
     run = there(store.runs.load("run"))
     assert run.expired
     assert DAMAGED_RESULTS.labels("result")._value.get() == before
+
+
+def test_what_a_replica_of_0_3_0_writes_on_postgresql_counts_as_intact(
+    postgres: Postgres, migrated_postgres: str
+) -> None:
+    """It knows no checksums: their columns say so for it, in the schema of today."""
+    with closing(Store(postgres.new_database(migrated_postgres))) as store:
+        release.insert(store, "0.3.0")
+        verdict = verify(store)
+        assert verdict.sound
+        assert verdict.unchecked == verdict.rows
+        assert {name for name, count in verdict.rows.items() if not count} == {"recordings"}  # which 0.3.0 had not
+        run_id, *_ = (row["id"] for row in release.rows("0.3.0", "runs"))
+        assert there(store.runs.load(run_id)).id == run_id
+
+
+def test_the_reason_of_a_run_is_checked(store: Store) -> None:
+    """Of one that failed as it was planned, one in its process, and one with the rest of its batch."""
+    planned, *others = rows()
+    store.jobs.create(BATCH, [planned._replace(key="", reason="No such car"), *others])
+    store.job_runs.save(BATCH.id, computed("key-1"), "1", {2: "It took too long"})
+    store.jobs.give_up(BATCH.id, "The disk is full")
+    assert [row.reason for row in store.job_runs.rows(BATCH.id, -1, 4)][::2] == ["No such car", "It took too long"]
+    assert not verify(store).damaged["job_runs"]
+    for position in range(4):
+        with store.writing() as connection:
+            connection.execute(update(job_runs).where(job_runs.c.position == position).values(reason="Bad luck"))
+    # That of a run that had none is as a version before wrote it, whose checksum did not cover it.
+    assert verify(store).damaged["job_runs"] == [f"{BATCH.id} {position}" for position in (0, 2, 3)]
+    with pytest.raises(DamagedError):
+        store.job_runs.rows(BATCH.id, -1, 1)
 
 
 def test_jobs_count_what_they_have_lost_and_a_cancelled_one_waits_for_nothing(store: Store) -> None:

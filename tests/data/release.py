@@ -79,8 +79,13 @@ def unfinished(version: Version, kind: Literal["batches", "tunings", "reproducti
 
 def restore(store: Store, version: Version) -> None:
     """Put every row into an empty database, at the revision it had."""
-    tables, metadata = content(version)["tables"], MetaData()
     store.migrate(content(version)["revision"])
+    insert(store, version)
+
+
+def insert(store: Store, version: Version) -> None:
+    """Put every row into a database, as a replica of that version would."""
+    tables, metadata = content(version)["tables"], MetaData()
     with store.writing() as connection:
         metadata.reflect(connection)
         for table in metadata.sorted_tables:

@@ -31,7 +31,7 @@ TIMES = {"created_at", "started_at", "finished_at", "ended_at", "damaged_at"}
 
 
 def fill(url: str) -> None:
-    """Make a database with runs, links, a measured road, a recording, a batch that is done and a tuning."""
+    """Make a database with runs, links, a measured road, a recording, a batch of which a run failed and a tuning."""
     rng = np.random.default_rng(1)
     with closing(Store(url)) as store:
         store.migrate()
@@ -66,14 +66,14 @@ def outcome(key: str, strategy: str, rng: np.random.Generator) -> Outcome:
 
 
 def _batch(store: Store, rng: np.random.Generator) -> None:
-    heights = rng.uniform(0.05, 0.12, POINTS).tolist()
+    heights = rng.uniform(0.05, 0.12, POINTS + 1).tolist()
     request = {"scenario": Scenario().model_dump(mode="json"), "strategies": ["lv"], "fields": ["road.bump.height"]}
     job = StoredJob(
         kind="sweep",
         request=request,
         sweep={"grid": {"road.bump.height": heights}},
         estimated_cost=0.1,
-        total=POINTS,
+        total=POINTS + 1,  # of which one fails
         request_hash="hash",
     )
     runs = [
@@ -81,7 +81,8 @@ def _batch(store: Store, rng: np.random.Generator) -> None:
         for position, height in enumerate(heights)
     ]
     store.jobs.create(job, runs, "key")
-    store.job_runs.save(job.id, [outcome(run.key, "lv", rng) for run in runs], "0.4.0")
+    computed = [outcome(run.key, "lv", rng) for run in runs[1:]]
+    store.job_runs.save(job.id, computed, "0.4.0", {0: "Its process was killed thrice"})
     store.jobs.finish(job.id)
 
 

@@ -68,6 +68,17 @@ def test_a_job_that_is_not_as_its_last_event_says_or_not_readable_is_damaged(fil
         assert len(verify(store).damaged["jobs"]) == 1
 
 
+def test_a_number_in_place_of_no_reason_is_damage(file: Path) -> None:
+    """One bit of a record's head makes 0 of nothing."""
+    with closing(sqlite3.connect(file)) as connection:
+        connection.execute("ALTER TABLE job_runs RENAME COLUMN reason TO reason_before")
+        connection.execute("ALTER TABLE job_runs ADD COLUMN reason")  # of any type: a text's column makes '0' of 0
+        connection.execute("UPDATE job_runs SET reason = 0 WHERE position = 1")
+        connection.commit()
+    with closing(Store(f"sqlite:///{file}")) as store:
+        assert len(verify(store).damaged["job_runs"]) == 2
+
+
 def test_a_text_that_is_none_costs_the_row_it_stands_in_alone(file: Path) -> None:
     with closing(sqlite3.connect(file)) as connection:
         connection.execute("UPDATE job_events SET data = CAST(x'ff' AS TEXT)")

@@ -33,8 +33,8 @@ EXPLAINED = ROOT / "docs/explanation/mutation.md"
 TESTS = [
     path.relative_to(ROOT) for folder in ("unit", "validation") for path in (ROOT / "tests" / folder).glob("test_*.py")
 ]
-TESTS.append(Path("tests/architecture/test_documentation.py"))  # formulas of docs/explanation, examples, ranges of fields
-TESTS.append(Path("tests/client/test_own_controllers.py"))  # it starts sim_core/check_file.py
+# Formulas of docs/explanation, examples, ranges of fields; what starts sim_core/check_file.py.
+TESTS += [Path("tests/architecture/test_documentation.py"), Path("tests/client/test_own_controllers.py")]
 # It notices every change of a number and knows nothing of which is right: asked when all others have passed.
 STORED_NUMBERS = "tests/validation/test_golden.py::test_no_number_changes_without_the_version"
 # Tests that take so much longer than three times what they take without a change have noticed; processor time, of which
