@@ -11,6 +11,7 @@ import { useLabContext, useLab } from "../lab/context";
 import { labLink } from "../lab/labAddress";
 import { useSelector } from "@tanstack/react-store";
 import classes from "./nav.module.css";
+import ui from "../ui/ui.module.css";
 
 const PagesMenu = lazy(async () => ({ default: (await firstCurves.then(() => import("./headerParts"))).PagesMenu }));
 
@@ -48,7 +49,7 @@ export function Nav() {
         <span className={classes.name}>Ridelab</span>
       </Link>
       <nav aria-label="Pages" className={classes.nav} data-crowded={section === "lab" || undefined}>
-        <ul className={classes.links}>
+        <ul className={`${ui.list} ${classes.links}`}>
           {entries.map(({ label, link, ...entry }) => (
             <li key={label}>
               <Link

@@ -15,6 +15,7 @@ import classes from "./plots.module.css";
 import { curvesOf, subtrahend } from "./differences";
 import { useCurves, useDetail, useLayered } from "./useDetail";
 import { Card } from "../ui/Card";
+import ui from "../ui/ui.module.css";
 import { buildFigure, MARGIN, axisUnit } from "./figure";
 import { Overlay } from "./Overlay";
 import { Surface, type CurvesSource } from "./Surface";
@@ -240,7 +241,7 @@ function Readouts({ meta, curves, strategies, axis }: ReadoutsProps) {
     <span className={classes.readouts} data-empty={x === null || undefined} aria-hidden>
       {strategies.map(({ id, colour }, index) => (
         <span key={id} className={classes.readout}>
-          <span className={classes.swatch} style={{ background: colour }} />
+          <span className={ui.swatch} style={{ background: colour }} />
           {texts[index] ?? "–"}
         </span>
       ))}

@@ -14,7 +14,7 @@ interface Props {
 
 export function Blank({ title, text, children }: Props) {
   return (
-    <div className={classes.blank}>
+    <div className={`${ui.card} ${classes.blank}`}>
       <svg width="180" height="46" viewBox="0 0 180 46" aria-hidden>
         <path d="M2 40h58c14 0 18-30 30-30s16 30 30 30h58" className={classes.blankRoad} />
       </svg>

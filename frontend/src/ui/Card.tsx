@@ -31,6 +31,20 @@ export function Card({ title, tools, className = "", children, ...rest }: Props)
   );
 }
 
+interface ColumnsProps extends ComponentProps<"div"> {
+  /** The least width of each. */
+  readonly least?: string;
+  readonly gap?: string;
+}
+
+/** Cards or fields side by side, as many as have room. */
+export const Columns = ({ least = "27rem", gap = "0.7rem", ...rest }: ColumnsProps) => (
+  <div
+    style={{ display: "grid", gap, gridTemplateColumns: `repeat(auto-fill, minmax(min(100%, ${least}), 1fr))` }}
+    {...rest}
+  />
+);
+
 /** A fault in one card leaves the others. */
 function CardFailed({ error, reset }: ErrorComponentProps) {
   return (

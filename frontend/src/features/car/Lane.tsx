@@ -8,6 +8,7 @@ import type { ResultView } from "../../lab/resultView";
 import { metres, toKmh } from "../../units/brands";
 import { formatNumber } from "../../units/format";
 import classes from "./car.module.css";
+import ui from "../../ui/ui.module.css";
 import { poseAt, roadProfile, type CarPose, type StaticLoads, restingCursor } from "./geometry";
 import {
   CLEARANCE,
@@ -113,7 +114,7 @@ function Caption({ strategy, pose }: { readonly strategy: Strategy; readonly pos
   const airborne = offTheRoad(pose);
   return (
     <Group gap="0.1rem 0.5rem" pos="absolute" top="0.45rem" left="0.8rem" right="0.8rem" fz="xs">
-      <span className={classes.dot} style={{ background: strategy.colour }} />
+      <span className={ui.swatch} style={{ background: strategy.colour }} />
       <strong>{strategy.label}</strong>
       <span className={classes.numbers}>
         {formatNumber(toKmh(pose.speed))} km/h · {pose.position.toFixed(1)} m · {pose.time.toFixed(2)} s

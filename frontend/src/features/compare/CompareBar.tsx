@@ -35,7 +35,12 @@ const STRATEGY = "strategy:";
 export function CompareBar({ resultView }: { readonly resultView: ResultView }) {
   const { labAddress } = useLabContext();
   return (
-    <div className={classes.bar} data-unprinted>
+    <Group
+      gap="0.3rem 0.9rem"
+      p="0.4rem 0.9rem 0.3rem"
+      style={{ borderBottom: "1px solid var(--line)" }}
+      data-unprinted
+    >
       <AgainstSelect resultView={resultView} />
       <SpeedSelect />
       <Checkbox
@@ -48,7 +53,7 @@ export function CompareBar({ resultView }: { readonly resultView: ResultView }) 
         <PinList />
         <Differences resultView={resultView} />
       </Group>
-    </div>
+    </Group>
   );
 }
 

@@ -10,9 +10,9 @@ import { child } from "../../scenario/path";
 import { formatExact } from "../../units/format";
 import { FieldError } from "../editor/FieldFrame";
 import { PartEntry } from "../editor/PartEntry";
-import classes from "./fuzzy.module.css";
 import { setPointer, TITLES, withNewSet, withSet, type Rewritten, type RuleBase, type Variable } from "./ruleBase";
 import { Choice } from "../../ui/Entry";
+import { Columns } from "../../ui/Card";
 
 interface Props {
   readonly variable: Variable;
@@ -54,7 +54,7 @@ export function SetsEditor({ variable, base, drawn, errors, rewritten }: Props) 
         onRelease={() => edit.commit(edit.newest())}
         {...{ selected, readOnly }}
       />
-      <div className={classes.fields} data-pointer={pointer}>
+      <Columns least="7.4rem" gap="0.4rem 0.6rem" data-pointer={pointer}>
         <Choice
           label="Set"
           value={selected}
@@ -87,7 +87,7 @@ export function SetsEditor({ variable, base, drawn, errors, rewritten }: Props) 
             written={(value) => replaced(withCorner(set, index, value))}
           />
         ))}
-      </div>
+      </Columns>
       <FieldError id={pointer} error={error} />
       {!readOnly && (
         <Group gap="xs">

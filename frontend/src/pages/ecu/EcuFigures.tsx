@@ -14,6 +14,7 @@ import { StrategyName } from "../../ui/StrategyKey";
 import classes from "./ecu.module.css";
 import { Fault } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
+import { Columns } from "../../ui/Card";
 
 interface Props {
   readonly run: Run;
@@ -72,13 +73,13 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
         />
       </Group>
       {series.isError && <Fault size="md">The time histories could not be read: {series.error.message}</Fault>}
-      <div className={classes.figures}>
+      <Columns>
         {curves ? (
           <Panels {...{ templates, curves }} onZoom={setZoom} />
         ) : (
           templates.map(({ layout }) => <Box key={layout.meta.signal} h={210} className={ui.card ?? ""} />)
         )}
-      </div>
+      </Columns>
     </section>
   );
 }

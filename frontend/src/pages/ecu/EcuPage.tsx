@@ -15,7 +15,7 @@ import { EcuTable } from "./EcuTable";
 import { RealTime } from "./RealTime";
 import ui from "../../ui/ui.module.css";
 import { Problems } from "../../ui/Messages";
-import { Card } from "../../ui/Card";
+import { Card, Columns } from "../../ui/Card";
 import { Loading } from "../../ui/Blank";
 import { ControllerFile } from "../../features/export/FileMenu";
 import { ShareAddress } from "../../features/share/ShareAddress";
@@ -25,7 +25,6 @@ import { getAt, sameValue, setAt, type Pointer } from "../../scenario/path";
 import { fieldsOf, findMember, type ChoiceField, type Group, type NumberField } from "../../scenario/schema";
 import type { LeafState } from "../../features/editor/useLeaf";
 import type { InvalidInput } from "../../lab/labState";
-import classes from "./ecu.module.css";
 import { keepPreviousData, queryOptions, useMutation, useQuery, useQueryClient } from "@tanstack/react-query";
 import { api } from "../../api/client";
 import { runKey } from "../../server/queries";
@@ -142,14 +141,14 @@ function EcuForm({ form, ...props }: Props) {
   const group = findMember(form, "/hil");
   if (!group) return null;
   return (
-    <div className={classes.settings} role="group" aria-label="Between the ECU and the car">
+    <Columns least="22rem" gap="0.3rem 2rem" role="group" aria-label="Between the ECU and the car">
       {fieldsOf(group).map(
         (field) =>
           (field.kind === "number" || field.kind === "choice") && (
             <Setting key={field.pointer} field={field} {...props} />
           ),
       )}
-    </div>
+    </Columns>
   );
 }
 

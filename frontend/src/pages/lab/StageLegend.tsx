@@ -8,6 +8,7 @@ import type { ResultView } from "../../lab/resultView";
 import { holdIsolated, isolateWhilePointed, useIsolated } from "../../lab/isolated";
 import { LineKey, StrategyName } from "../../ui/StrategyKey";
 import classes from "./legend.module.css";
+import ui from "../../ui/ui.module.css";
 
 /** A swatch is small: the shading three times over, so that it can be told apart. */
 const layered = (fill = "transparent") => Array<string>(3).fill(`linear-gradient(${fill}, ${fill})`).join(", ");
@@ -44,7 +45,7 @@ export function StageLegend({ resultView, catalogue, meta }: Props) {
         ))}
       {stages.map(({ key, label, description }) => (
         <span key={key} title={description}>
-          <span className={classes.fill} style={{ background: layered(meta.stage_fills[key]) }} /> {label}
+          <span className={ui.area} style={{ background: layered(meta.stage_fills[key]) }} /> {label}
         </span>
       ))}
       <span>
@@ -57,13 +58,14 @@ export function StageLegend({ resultView, catalogue, meta }: Props) {
       ))}
       {hasBand && (
         <span>
-          <span className={classes.fill} data-stage="band" /> range: minimum to maximum of{" "}
-          {resultView.shown.over?.roads} roads
+          <span className={`${ui.area} ${classes.band}`} /> range: minimum to maximum of {resultView.shown.over?.roads}{" "}
+          roads
         </span>
       )}
       {(airborne || hasBand) && (
         <span>
-          <span className={classes.fill} data-stage="airborne" /> tyre off the road{hasBand && " on at least one road"}
+          <span className={`${ui.area} ${classes.airborne}`} /> tyre off the road
+          {hasBand && " on at least one road"}
         </span>
       )}
       {several && <span>Stages shaded for {staged?.label}; the marks on top: each strategy on the bump</span>}

@@ -149,7 +149,7 @@ function ShareBars({ shares, words }: ShareBarsProps) {
           key: part,
           head: (
             <span className={ui.named}>
-              <span className={parts.swatch} data-part={part} aria-hidden />
+              <span className={`${ui.swatch} ${parts.part}`} data-part={part} aria-hidden />
               {label}
             </span>
           ),
@@ -192,7 +192,7 @@ function Bar({ share, scale }: Scaled & { readonly share: Share }) {
       {segmentsOf(share).map(({ part, from, to }) => (
         <span
           key={part}
-          className={parts.segment}
+          className={`${parts.part} ${parts.segment}`}
           data-part={part}
           style={{ left: offsetOf(from, scale), width: `calc(${offsetOf(to, scale)} - ${offsetOf(from, scale)})` }}
         />

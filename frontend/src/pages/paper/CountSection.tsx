@@ -152,7 +152,7 @@ function Missed({ paper, words }: Props) {
           ? `${missed.length === 1 ? "The cell" : `The ${missed.length} cells`} not reached`
           : `${count(missed.length, "cell")} not reached so far`}
       </summary>
-      <ul className={classes.missed}>
+      <ul className={`${ui.list} ${classes.missed}`}>
         {[...missed]
           .sort((a, b) => a.verdict.localeCompare(b.verdict) || a.table - b.table)
           .map((cell) => (

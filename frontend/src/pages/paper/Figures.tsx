@@ -9,11 +9,11 @@ import { ChartButton } from "../../plots/FigureButton";
 import { ON_PAPER, PALETTES, type Palette } from "../../plots/palettes";
 import { StrategyKey } from "../../ui/StrategyKey";
 import type { Choices } from "./choices";
-import classes from "./figures.module.css";
 import { typeset } from "./numbers";
 import { attributionQuery, paperFiguresQuery } from "./queries";
 import { useVisible, Fault, Waiting } from "./Waiting";
 import ui from "../../ui/ui.module.css";
+import { Columns } from "../../ui/Card";
 
 const HEIGHT = 250;
 /** Two of them side by side on A4 [px]. */
@@ -48,11 +48,11 @@ export function Figures({ choices }: { readonly choices: Choices }) {
         ]}
         onChange={setRange}
       />
-      <div className={classes.grid}>
+      <Columns>
         {data.map((figure) => (
           <Panel key={figure.number} figure={figure} scheme={scheme} bumpOnly={range === "bump"} />
         ))}
-      </div>
+      </Columns>
     </>
   );
 }
@@ -74,7 +74,8 @@ const Panel = memo(function Panel({ figure: { number, title, caption, figure }, 
   return (
     <figure
       ref={ref}
-      className={`${ui.card} ${classes.panel}`}
+      className={ui.card}
+      style={{ margin: 0, paddingBottom: "0.6rem", scrollMarginTop: "4rem" }}
       id={`figure-${number}`}
       data-drawn={visible || undefined}
     >
@@ -100,7 +101,7 @@ const Panel = memo(function Panel({ figure: { number, title, caption, figure }, 
               {fill === null ? (
                 <StrategyKey strategy={{ colour, dash }} />
               ) : (
-                <span className={classes.fill} style={{ background: fill }} aria-hidden />
+                <span className={ui.area} style={{ background: fill }} aria-hidden />
               )}
               {name}
             </li>

@@ -184,7 +184,7 @@ function Contents({ paper }: { readonly paper: Paper | undefined }) {
   const active = useSection(IDS);
   return (
     <nav className={contents.contents} data-unprinted aria-label="On this page">
-      <ol className={contents.list}>
+      <ol className={`${ui.list} ${contents.list}`}>
         {SECTIONS.map(({ id, title }, index) => (
           <li key={id}>
             <a href={`#${id}`} className={contents.link} aria-current={index === active ? "location" : undefined}>

@@ -11,6 +11,7 @@ import { typeset } from "./numbers";
 import classes from "./switches.module.css";
 import { VerdictCountList, countedOf, soFar } from "./Verdict";
 import ui from "../../ui/ui.module.css";
+import { Columns } from "../../ui/Card";
 
 interface Props {
   readonly paper: Paper;
@@ -48,7 +49,7 @@ export function Switches({ paper, choices, waiting, onChoose }: Props) {
             : `Reset ${count(changed.length, "switch", "switches")}`}
         </Button>
       </Group>
-      <div className={classes.grid}>
+      <Columns least="20rem">
         {readings.map((reading) => (
           <Switch
             key={reading.id}
@@ -56,7 +57,7 @@ export function Switches({ paper, choices, waiting, onChoose }: Props) {
             onChange={(choice) => onChoose(withChoice(choices, reading.id, choice, standardOf(reading, set)))}
           />
         ))}
-      </div>
+      </Columns>
     </>
   );
 }

@@ -7,7 +7,6 @@ import type { Metric } from "../../server/metrics";
 import { formatFixed } from "../../units/format";
 import { nameOf } from "./names";
 import bars from "./bars.module.css";
-import classes from "./robustness.module.css";
 import { hasOrder } from "./study";
 import { matters, ranked, type Ranked, type Sensitivity, type StrategySummary, type StudyParts } from "./summary";
 import { DataTable, type Column } from "../../ui/DataTable";
@@ -37,7 +36,8 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
         <>
           <SegmentedControl
             aria-label="Strategy"
-            className={classes.segments ?? ""}
+            maw="100%"
+            style={{ overflowX: "auto" }}
             value={strategy.id}
             data={labelled(strategies)}
             onChange={setStrategyId}
@@ -45,7 +45,8 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
           {strategy.id !== summary.baseline && (
             <SegmentedControl
               aria-label="What follows"
-              className={classes.segments ?? ""}
+              maw="100%"
+              style={{ overflowX: "auto" }}
               value={of}
               data={[
                 { value: "value", label: "its value" },

@@ -12,7 +12,7 @@ import { quantile, type FigureSummary, type Margin, type StudyParts } from "./su
 import type { Opening } from "../../features/sweep/useOpenRun";
 import styles from "./bars.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
-import { Card } from "../../ui/Card";
+import { Card, Columns } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
 import { stepAbove } from "../../lib/steps";
 import { ChartButton } from "../../plots/FigureButton";
@@ -32,11 +32,11 @@ export function Spread({ summary, strategies, figures, opening }: Props) {
       tools={<SegmentedControl aria-label="Figures" value={shownGroup} data={groups} onChange={setShownGroup} />}
     >
       <Key />
-      <div className={styles.panels}>
+      <Columns gap="0.4rem 2rem">
         {shown.map((figure) => (
           <Intervals key={figure.key} {...{ summary, strategies, figure }} />
         ))}
-      </div>
+      </Columns>
       <DataTable
         label="Values of the spread"
         columns={columnsOf({ summary, shownGroup, against, opening })}

@@ -19,6 +19,7 @@ import { withKey } from "../../api/jobs";
 import { STUDY_LABEL } from "../../features/sweep/SweepList";
 import { useJobForm } from "../../features/jobForm/useJobForm";
 import { submits } from "../../ui/NameForm";
+import { Columns } from "../../ui/Card";
 
 interface Props {
   readonly defaults: RobustnessDefaults;
@@ -51,7 +52,7 @@ export function StudyForm({ defaults, strategies, form, scenario, head, existing
         <Note>
           All values between the two ends are equally likely. A field that is switched off has the scenario’s value.
         </Note>
-        <div className={rows.ranges}>
+        <Columns gap="0 1.6rem">
           {draft.ranges.map((range) => (
             <RangeRow
               key={range.field.name}
@@ -63,7 +64,7 @@ export function StudyForm({ defaults, strategies, form, scenario, head, existing
               }
             />
           ))}
-        </div>
+        </Columns>
         {errors.fields !== undefined && <Fault>{errors.fields}</Fault>}
       </div>
       <div className={ui.part}>

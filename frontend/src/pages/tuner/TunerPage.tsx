@@ -17,7 +17,6 @@ import { firstDraft, rangesFor, restoreTuning, type TuningDraft, readDraft, tuni
 import { LimitRows, ObjectiveRows } from "./ObjectiveRows";
 import { RangesTable } from "./RangesTable";
 import { isTunable, numberFields, reads, tunableOf, type TunableNumber } from "./space";
-import classes from "./tuner.module.css";
 import { useDraft } from "../../lib/useDraft";
 import { StartFoot } from "../../features/jobForm/StartFoot";
 import { Problems, Note } from "../../ui/Messages";
@@ -26,6 +25,7 @@ import { ask } from "../../api/http";
 import { withKey } from "../../api/jobs";
 import { useJobForm } from "../../features/jobForm/useJobForm";
 import { submits } from "../../ui/NameForm";
+import { Columns } from "../../ui/Card";
 
 export function TunerPage() {
   const catalogues = useNumericCatalogues();
@@ -119,7 +119,8 @@ function NewTuning({ form, catalogue, strategies, figures, source }: NewTuningPr
         <ScenarioChoice source={source} form={form} />
         <Input.Wrapper size="xs" label="Strategy" labelElement="div" labelProps={{ mr: "xs" }}>
           <SegmentedControl
-            className={classes.segments ?? ""}
+            maw="100%"
+            style={{ overflowX: "auto" }}
             aria-label="Strategy"
             value={draft.strategy}
             data={strategies.flatMap(({ id, label }) => (isTunable(form, id) ? [{ value: id, label }] : []))}
@@ -183,13 +184,13 @@ function NewTuning({ form, catalogue, strategies, figures, source }: NewTuningPr
           data={QUANTILES}
           onPick={(quantile) => patch({ quantile })}
         />
-        <div className={classes.entries}>
+        <Columns least="9.5rem">
           {entry("seeds", "Training roads", "Seeds, such as 1-4, 7")}
           {entry("validationSeeds", "Validation roads", "None of the training roads", "fresh_seeds")}
           {entry("trials", "Trials", "Sets of weights tried")}
           {entry("population", "Population size", "Sets in a generation")}
           {entry("seed", "Search seed", "Same seed, same trials")}
-        </div>
+        </Columns>
       </Part>
       <Problems
         messages={[...general, ...(errors.strategy === undefined ? [] : [errors.strategy])]}
