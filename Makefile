@@ -142,11 +142,13 @@ frontend/node_modules/.development: frontend/node_modules/.installed | frontend/
 frontend/dist/index.html: frontend/node_modules/.installed $(shell find frontend/src frontend/index.html frontend/scripts frontend/vite.config.ts -type f 2>/dev/null)
 	cd frontend && $(NODE) npm run build
 
-# A broken link ends it. There is no page of its own for unknown addresses: the dashboard answers them.
+# A broken link ends it. Whatever else lies in examples/ stays out of the zip. There is no page of its own for unknown addresses: the dashboard answers them.
 build/manual/index.html: zensical.toml $(VENV)/.runtime $(shell find docs examples -type f)
 	$(BIN)/zensical build --clean --strict
 	rm -f build/manual/404.html build/manual/sitemap.xml
-	$(BIN)/python -m zipfile -c build/manual/examples.zip examples
+	rm -rf build/tracked && mkdir build/tracked
+	(git ls-files --error-unmatch examples 2>/dev/null || find examples -type f) | tar cf - -T - | tar xf - -C build/tracked
+	$(BIN)/python -m zipfile -c build/manual/examples.zip build/tracked/examples
 	touch $@
 
 COMPILE_LOCK := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header \
