@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 from ridelab.connection import Connection, comma_separated
 from ridelab.errors import JobEndedError, JobTimeoutError, RidelabAPIError, RidelabConnectionError
 from ridelab.files import format_of, save
-from ridelab.frames import needed
 from ridelab.http import Http
+from ridelab.notebooks import needed
 from ridelab.requirements import RequirementResult
 from ridelab.streams import Event, json_rows, server_sent
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal, Self, TypedDict
 from urllib.parse import quote
 
-from ridelab import frames
+from ridelab import notebooks
 from ridelab.connection import Connection
 from ridelab.jobs import Batch
 from ridelab.requirements import RequirementResult
@@ -197,7 +197,7 @@ class RunResult:
             ImportError: pandas is not installed.
         """
         rows = [{"strategy": outcome.strategy, "status": outcome.status, **outcome.figures()} for outcome in self]
-        return frames.frame_of(rows, ["strategy"], self.units)
+        return notebooks.frame_of(rows, ["strategy"], self.units)
 
     def plot(self, signal: str = "body_acceleration", *, x: Literal["position", "time"] = "position") -> "go.Figure":
         """A signal of all its strategies as a plotly figure, in the units, colours and dashes of the page.
@@ -212,7 +212,7 @@ class RunResult:
         """
         if self.service is None:
             raise ValueError("This run is from a file: get_run(run.id) of a Ridelab has the one that can be drawn")
-        return frames.figure_of(self.service.get(f"/runs/{self.id}/figures/{signal}", {"x": x}))
+        return notebooks.figure_of(self.service.get(f"/runs/{self.id}/figures/{signal}", {"x": x}))
 
     def __repr__(self) -> str:
         ended = ", ".join(f"{outcome.strategy} {outcome.status}" for outcome in self)
@@ -247,7 +247,7 @@ def compared(a: RunResult, b: RunResult) -> "pd.DataFrame":
         for metric, one in outcome.figures().items()
         for other in [b[outcome.strategy].figures().get(metric)]
     ]
-    return frames.frame_of(rows, ["strategy", "metric"], a.units)
+    return notebooks.frame_of(rows, ["strategy", "metric"], a.units)
 
 
 def _change(one: float | bool | None, other: float | bool | None) -> float | None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from ridelab.connection import Connection, comma_separated
 from ridelab.files import format_of, save
-from ridelab.frames import unpacked
+from ridelab.notebooks import unpacked
 from ridelab.results import RunResult, intervals, quoted_id
 
 if TYPE_CHECKING:

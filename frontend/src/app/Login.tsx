@@ -5,7 +5,7 @@ import { useMutation } from "@tanstack/react-query";
 import { useState } from "react";
 import { ask } from "../api/http";
 import { Blank } from "../ui/Blank";
-import { submits } from "../ui/NameForm";
+import { submits } from "../ui/ListEntry";
 
 export function Login() {
   const [token, setToken] = useState("");

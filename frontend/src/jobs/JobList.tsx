@@ -9,7 +9,7 @@ import type { Common, JobKind, JobPath } from "./useJob";
 import { Fault } from "../ui/Messages";
 import ui from "../ui/ui.module.css";
 import { Card } from "../ui/Card";
-import { MoreMenu, NameForm } from "../ui/NameForm";
+import { MoreMenu, NameForm } from "../ui/ListEntry";
 import { formatMinute } from "../units/dates";
 import { count, formatWhole } from "../units/format";
 import { waitsFor } from "./JobState";

@@ -35,12 +35,12 @@ export const pinReference = (runId: string): Reference => `${PIN}${runId}`;
 export const referenceTo = ({ run, shown }: Variant): Reference => pinReference(run ?? shown.runId ?? "");
 
 /** The run of the pin that changes are against; `null` where they are against something else. */
-export const pinnedRunId = (against: Reference): string | null =>
-  against.startsWith(PIN) ? against.slice(PIN.length) : null;
+export const pinnedRunId = (reference: Reference): string | null =>
+  reference.startsWith(PIN) ? reference.slice(PIN.length) : null;
 
 /** The variant that changes are against; `null` where that is a strategy. */
-export function referenceVariant({ before, pins }: Compared, against: Reference): Variant | null {
-  return against === "before" ? before : (pins.find((pin) => against === referenceTo(pin)) ?? null);
+export function referenceVariant({ before, pins }: Compared, reference: Reference): Variant | null {
+  return reference === "before" ? before : (pins.find((pin) => reference === referenceTo(pin)) ?? null);
 }
 
 /** Why a result has no changes against that other one, as what the other one is; `null` where it has. */

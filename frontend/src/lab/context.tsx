@@ -7,7 +7,7 @@ import type { View } from "./address";
 import type { Lab, LabState } from "./labState";
 import type { LabAddress } from "./labAddress";
 import { createAtom, useSelector, type ReadonlyAtom } from "@tanstack/react-store";
-import { standardScenario } from "../scenario/differences";
+import { paperScenarioOf } from "../scenario/differences";
 import { schemaQuery } from "../server/queries";
 
 interface LabContextValue {
@@ -32,7 +32,7 @@ export function LabContextProvider({ value, children }: LabContextProviderProps)
   // Fetched by the pages that need it.
   const form = useQuery({ ...schemaQuery, enabled: false }).data;
   const context = useMemo(() => {
-    const paperScenario = form ? standardScenario(form) : {};
+    const paperScenario = form ? paperScenarioOf(form) : {};
     const scenario = createAtom(() => {
       const { drag, history } = value.lab.get();
       return drag ?? history?.present ?? paperScenario;
@@ -78,6 +78,6 @@ export function useEdit() {
     drag: lab.drag,
     commit: lab.commit,
     reject: lab.reject,
-    accept: lab.clearInvalid,
+    clearInvalid: lab.clearInvalid,
   };
 }

@@ -29,10 +29,10 @@ const ALWAYS_DRAWN = ["brake_pressure"];
 /** No recording is asked for while somebody drags: it stays as it was. */
 const simulated = (ids: readonly StrategyId[]) => ids.filter((id) => !isRecording(id));
 
-function withRecorded(live: Result, exact: Result | null): Result {
+function withRecorded(live: Result, latest: Result | null): Result {
   const recorded = <Part>(all: Readonly<Record<StrategyId, Part>> = {}) =>
     Object.fromEntries(Object.entries(all).filter(([id]) => isRecording(id)));
-  const { summaries, series } = exact ?? live;
+  const { summaries, series } = latest ?? live;
   return {
     ...live,
     summaries: { ...live.summaries, ...recorded(summaries) },

@@ -115,8 +115,8 @@ const hasOtherLaw = (one: Result, other: Result) =>
     return source && now && source.digest !== now.digest;
   });
 
-const isOther = (exact: Result | null, next: Result) =>
-  exact !== null && (!sameValue(exact.scenario, next.scenario) || hasOtherLaw(exact, next));
+const isOther = (latest: Result | null, next: Result) =>
+  latest !== null && (!sameValue(latest.scenario, next.scenario) || hasOtherLaw(latest, next));
 
 /** A new exact result is shown. The one of another scenario before it stays to compare with. */
 export function resultsAfterEdit({ latestResult, previousResult }: Results, next: Result): Results {

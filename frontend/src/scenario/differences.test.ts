@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { FORM } from "./form.fixture";
-import { changedFields, nameByChanges, standardScenario } from "./differences";
+import { changedFields, nameByChanges, paperScenarioOf } from "./differences";
 import type { ScenarioSchema } from "./schema";
 import { setAt } from "./path";
 
@@ -12,7 +12,7 @@ const PROFILE = {
   paperValue: null,
 } as const;
 const WITH_ROADS: ScenarioSchema = { ...FORM, members: [...FORM.members, PROFILE] };
-const NONE = standardScenario(WITH_ROADS);
+const NONE = paperScenarioOf(WITH_ROADS);
 const on = (id: string) => setAt(NONE, "/road/profile", id);
 const changes = (from: typeof NONE, to: typeof NONE) =>
   changedFields(WITH_ROADS, from, to).map(({ name, change }) => `${name} ${change}`);

@@ -54,7 +54,7 @@ export function completed(root: Member, scenario: Scenario): Scenario {
 }
 
 /** The paper's scenario as the schema states it. */
-export const standardScenario = (root: Member): Scenario => completed(root, {});
+export const paperScenarioOf = (root: Member): Scenario => completed(root, {});
 
 /** A field that two scenarios give different values: `Bump height`, `10 → 12 cm`. */
 export interface FieldChange {

@@ -6,7 +6,7 @@ import {
   completed,
   leavesOf,
   resetMember,
-  standardScenario,
+  paperScenarioOf,
 } from "./differences";
 import { fieldFor, errorsByField } from "./errors";
 import { FORM } from "./form.fixture";
@@ -21,7 +21,7 @@ function numberField(pointer: Pointer): NumberField {
   return leaf;
 }
 
-const STANDARD = standardScenario(FORM);
+const STANDARD = paperScenarioOf(FORM);
 
 describe("the form from the schema", () => {
   it("reads every leaf in the schema's order", () => {
@@ -85,7 +85,7 @@ describe("data without a control", () => {
   it("is a field that is kept, counted as a change and reset", () => {
     expect(leavesOf(form).map(({ kind }) => kind)).toEqual(["data", "data"]);
     expect(completed(form, own)).toEqual(own);
-    expect(changesText(changedFields(form, standardScenario(form), own))).toBe("Rules none → own");
+    expect(changesText(changedFields(form, paperScenarioOf(form), own))).toBe("Rules none → own");
     expect(resetMember(own, form)).toEqual({ rules: null, inputs: null });
   });
 });
@@ -147,7 +147,7 @@ describe("difference from the paper", () => {
 });
 
 describe("difference between two scenarios", () => {
-  const paper = standardScenario(FORM);
+  const paper = paperScenarioOf(FORM);
 
   it("is told by the form's names and units", () => {
     const other = setAt(setAt(setAt(paper, "/road/bump/height", 0.12), "/mpc/lag", 8), "/mpc/weights/1", 2);

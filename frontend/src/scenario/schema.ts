@@ -104,10 +104,10 @@ class Reader {
     return { ...this.resolve(target), ...node };
   }
 
-  group(node: JsonObject, pointer: Pointer | "", title: string, standard: JsonValue): Group {
+  group(node: JsonObject, pointer: Pointer | "", title: string, paperValues: JsonValue): Group {
     const properties = isObject(node.properties) ? node.properties : {};
     const members = Object.entries(properties).flatMap(([name, raw]) => {
-      const member = isObject(raw) ? this.#member(raw, child(pointer, name), name, standard) : null;
+      const member = isObject(raw) ? this.#member(raw, child(pointer, name), name, paperValues) : null;
       if (member === null || !isObject(raw)) return [];
       const [choice, value] = list(raw.read_with).map(text);
       const chosen = choice === undefined ? undefined : properties[choice];

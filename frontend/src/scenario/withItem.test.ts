@@ -1,6 +1,6 @@
 import { expect, it, test } from "vitest";
 import type { JsonObject } from "../api/types";
-import { standardScenario } from "./differences";
+import { paperScenarioOf } from "./differences";
 import { FORM } from "./form.fixture";
 import { setAt } from "./path";
 import { onRoad, withItem } from "./withItem";
@@ -17,7 +17,7 @@ test("a bump that was found is the one the car brakes for, and none is added", (
   expect(onRoad(PAPER, measured).road).toMatchObject({ bump: { start: 1, width: 179, height: 0, count: 1 } });
 });
 
-const paper = standardScenario(FORM);
+const paper = paperScenarioOf(FORM);
 
 it("A saved scenario takes the paper's value for a field that is newer, and loses one that is gone", () => {
   const saved: JsonObject = { road: { bump: { height: 0.2 }, colour: 3 }, mpc: { lag: 5 } };

@@ -41,7 +41,7 @@ export function DamperCurveRow({ field }: { readonly field: DataField }) {
   return (
     <FieldFrame
       {...{ id, field, leaf }}
-      standard="none"
+      paperText="none"
       aside={
         <Switch
           id={id}

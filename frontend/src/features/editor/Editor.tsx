@@ -71,7 +71,7 @@ export function Editor({ form }: { readonly form: Group }) {
             disabled={changed === 0}
             data-testid="reset-all"
             onClick={() => {
-              for (const pointer of Object.keys(rejected)) edit.accept(pointer as Pointer);
+              for (const pointer of Object.keys(rejected)) edit.clearInvalid(pointer as Pointer);
               edit.commit(resetMember(edit.newest(), form));
             }}
           >

@@ -17,13 +17,13 @@ interface Props {
   readonly field: Leaf;
   readonly leaf: LeafState;
   /** The paper's value as text. */
-  readonly standard: string;
+  readonly paperText: string;
   /** What stands at the right end of the label's row. */
   readonly aside?: ReactNode;
   readonly children?: ReactNode;
 }
 
-export function FieldFrame({ id, field, leaf: { changed, error, unread }, standard, aside, children }: Props) {
+export function FieldFrame({ id, field, leaf: { changed, error, unread }, paperText, aside, children }: Props) {
   const { pointer, title } = field;
   return (
     <div
@@ -43,7 +43,7 @@ export function FieldFrame({ id, field, leaf: { changed, error, unread }, standa
         </label>
         <Help field={field} />
         <Box component="span" flex={1} />
-        <ResetButton {...{ field, standard, changed }} />
+        <ResetButton {...{ field, paperText, changed }} />
         {aside}
       </Group>
       {children}
@@ -65,27 +65,27 @@ export function Help({ field: { pointer, title, description } }: { readonly fiel
 interface ResetProps {
   readonly field: Field;
   /** The paper's value as text. */
-  readonly standard: string;
+  readonly paperText: string;
   readonly changed: boolean;
 }
 
 // As it was while a slider moves.
 /** Keeps its place while hidden, so nothing moves when a value first differs from the paper. */
-export const ResetButton = memo(function ResetButton({ field, standard, changed }: ResetProps) {
+export const ResetButton = memo(function ResetButton({ field, paperText, changed }: ResetProps) {
   const edit = useEdit();
   const disabled = useReadOnly() || !changed;
   const reset = () => {
-    for (const { pointer } of field.kind === "vector" ? field.items : [field]) edit.accept(pointer);
+    for (const { pointer } of field.kind === "vector" ? field.items : [field]) edit.clearInvalid(pointer);
     edit.commit(setAt(edit.newest(), field.pointer, field.paperValue));
   };
   return (
     <ActionIcon
-      data-hint={`Differs from the paper (${standard}). Reset`}
+      data-hint={`Differs from the paper (${paperText}). Reset`}
       flex="none"
       style={{ visibility: disabled ? "hidden" : "visible" }}
       variant="subtle"
       size={24}
-      aria-label={`Reset ${field.title} to the paper's ${standard}`}
+      aria-label={`Reset ${field.title} to the paper's ${paperText}`}
       disabled={disabled}
       onClick={reset}
     >
@@ -117,7 +117,7 @@ export function ChoiceFieldRow({ field, leaf }: { readonly field: ChoiceField; r
   return (
     <FieldFrame
       {...{ id, field, leaf }}
-      standard={optionTitle(optionOf(field.paperValue))}
+      paperText={optionTitle(optionOf(field.paperValue))}
       aside={
         <Choice
           id={id}

@@ -82,7 +82,7 @@ function RoadClassRow({ field, leaf }: { readonly field: NumberField; readonly l
   return (
     <FieldFrame
       {...{ id, field, leaf }}
-      standard={typeof field.paperValue === "number" ? inMillionths(field.paperValue) : ""}
+      paperText={typeof field.paperValue === "number" ? inMillionths(field.paperValue) : ""}
       aside={<NumberEntry id={id} field={field} leaf={leaf} />}
     >
       <SegmentedControl
@@ -134,7 +134,7 @@ function DataRow({ field }: { readonly field: DataField }) {
     <FieldFrame
       id={name}
       {...{ field, leaf }}
-      standard="Table 1"
+      paperText="Table 1"
       aside={
         <Button size="compact-xs" aria-label={`${label} ${field.title}`} {...button}>
           {leaf.readOnly ? "Show" : label}
@@ -183,7 +183,7 @@ function MatrixRow({ vector }: { readonly vector: VectorField }) {
           <Help field={vector} />
           <ResetButton
             field={vector}
-            standard={vector.items
+            paperText={vector.items
               .map(({ paperValue }) => (typeof paperValue === "number" ? formatInput(paperValue) : "–"))
               .join(", ")}
             changed={changed}

@@ -29,11 +29,11 @@ interface Props {
 export function NumberFieldRow({ field, leaf, withSlider = true }: Props) {
   const id = useId();
   const isOff = leaf.value === null;
-  const standard = typeof field.paperValue === "number" ? valueText(field, field.paperValue) : OFF;
+  const paperText = typeof field.paperValue === "number" ? valueText(field, field.paperValue) : OFF;
   return (
     <FieldFrame
       {...{ id, field, leaf }}
-      standard={standard}
+      paperText={paperText}
       aside={
         <>
           {field.nullable && (
@@ -128,7 +128,7 @@ export function NumberEntry({ id, field, leaf, label, withUnit = true, disabled 
         }
         if (event.key === "Escape") {
           setDraft(null);
-          leaf.accept();
+          leaf.clearInvalid();
         }
       }}
     />
@@ -150,12 +150,12 @@ export function NumberSlider({ field, leaf, label }: NumberSliderProps) {
 
   const clamp = (value: number) => Math.min(scale.maximum, Math.max(scale.minimum, scale.toSlider(value)));
   const value = typeof leaf.value === "number" ? clamp(leaf.value) : scale.minimum;
-  const standard = typeof field.paperValue === "number" ? scale.toSlider(field.paperValue) : null;
-  const marked = standard !== null && standard >= scale.minimum && standard <= scale.maximum;
+  const paperPlace = typeof field.paperValue === "number" ? scale.toSlider(field.paperValue) : null;
+  const marked = paperPlace !== null && paperPlace >= scale.minimum && paperPlace <= scale.maximum;
   const spoken =
     typeof leaf.value === "number" ? formatWithUnit(inShownUnit(field, leaf.value), field.shown.unit, 4) : "";
   const part = (position: number) => (position - scale.minimum) / (scale.maximum - scale.minimum);
-  const [from, to] = [marked ? standard : scale.minimum, value].map(part).sort((one, other) => one - other);
+  const [from, to] = [marked ? paperPlace : scale.minimum, value].map(part).sort((one, other) => one - other);
   const release = () => {
     if (!isPressed.current) return;
     isPressed.current = false;
@@ -168,7 +168,7 @@ export function NumberSlider({ field, leaf, label }: NumberSliderProps) {
     <input
       type="range"
       className={classes.slider}
-      style={{ "--from": from, "--to": to, "--standard": marked ? part(standard) : -1 } as CSSProperties}
+      style={{ "--from": from, "--to": to, "--paper": marked ? part(paperPlace) : -1 } as CSSProperties}
       min={scale.minimum}
       max={scale.maximum}
       value={value}

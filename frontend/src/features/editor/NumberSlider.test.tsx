@@ -8,7 +8,7 @@ import type { LeafState } from "./useLeaf";
 
 const height = leavesOf(FORM).find(({ pointer }) => pointer === "/road/bump/height");
 
-const changes = { drag: vi.fn(), release: vi.fn(), commit: vi.fn(), reject: vi.fn(), accept: vi.fn() };
+const changes = { drag: vi.fn(), release: vi.fn(), commit: vi.fn(), reject: vi.fn(), clearInvalid: vi.fn() };
 
 function slider(state: Partial<LeafState> = {}) {
   if (height?.kind !== "number") throw new Error("no number");

@@ -54,7 +54,7 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
     <FieldFrame
       id={name}
       {...{ field, leaf }}
-      standard="none"
+      paperText="none"
       aside={
         <>
           {road &&

@@ -20,7 +20,7 @@ export interface LeafState {
   readonly release: () => void;
   readonly commit: (value: JsonValue) => void;
   readonly reject: (rejected: InvalidInput) => void;
-  readonly accept: () => void;
+  readonly clearInvalid: () => void;
 }
 
 export function useLeaf({ pointer, paperValue, readWith }: Leaf): LeafState {
@@ -51,16 +51,16 @@ export function useValue(pointer: Pointer, value: JsonValue | undefined, written
     rejected,
     error: rejected?.message ?? refused,
     drag: (next) => {
-      edit.accept(pointer);
+      edit.clearInvalid(pointer);
       edit.drag(written(edit.newest(), next));
     },
     release: () => edit.commit(edit.newest()),
     commit: (next) => {
-      edit.accept(pointer);
+      edit.clearInvalid(pointer);
       const scenario = written(edit.newest(), next);
       if (!sameValue(scenario, edit.newest())) edit.commit(scenario);
     },
     reject: (next) => edit.reject(pointer, next),
-    accept: () => edit.accept(pointer),
+    clearInvalid: () => edit.clearInvalid(pointer),
   };
 }

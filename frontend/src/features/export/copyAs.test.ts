@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
-import { standardScenario } from "../../scenario/differences";
+import { paperScenarioOf } from "../../scenario/differences";
 import { FORM } from "../../scenario/form.fixture";
 import { setAt } from "../../scenario/path";
 import { asCommand, asCurl, asPython, changedPart } from "./copyAs";
 
-const PAPER = standardScenario(FORM);
+const PAPER = paperScenarioOf(FORM);
 const CHANGED = setAt(setAt(setAt(PAPER, "/road/bump/height", -0.06), "/mpc/weights/1", 3), "/mpc/lag", 20);
 const copyRequest = (scenario = CHANGED) => ({
   origin: "http://h:8000",

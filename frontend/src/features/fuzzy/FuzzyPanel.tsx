@@ -75,17 +75,17 @@ function Parts({ inference: { answer, paper, errors }, resultView }: PartsProps)
   const [part, setPart] = useState<Variable | "rules">("speed_error");
   const base = ruleBaseOf(scenario, paper);
   const rewritten: Rewritten = (before, to) => withRuleBase(before, ruleBaseOf(before, paper), to);
-  const driven = drivenIn(resultView);
+  const drive = driveIn(resultView);
   return (
     <>
       <Chart
-        figure={surfaceFigure(answer, driven, palette)}
+        figure={surfaceFigure(answer, drive, palette)}
         height={230}
         label="Braking torque over distance and speed error, and the drive"
       />
       <Note>
         Braking torque as a share of the greatest.{" "}
-        {driven ? `The line is the drive of ${driven.label}.` : "No strategy that is shown slows down for the bump."}
+        {drive ? `The line is the drive of ${drive.label}.` : "No strategy that is shown slows down for the bump."}
       </Note>
       {errors.map(({ pointer, message }) => (
         <Fault key={pointer + message}>
@@ -216,7 +216,7 @@ function useInference(): Inference | null {
   return paper ? { paper, answer: shown.answer ?? paper, errors: shown.errors } : null;
 }
 
-interface Driven {
+interface Drive {
   readonly label: string;
   /** To the bump [m], and above the target speed [km/h]. */
   readonly distance: readonly number[];
@@ -226,7 +226,7 @@ interface Driven {
 const KMH = 3.6;
 
 /** The first strategy that slows down, from where the bump is detected to where it begins. */
-function drivenIn({ shown, strategies, series }: ResultView): Driven | null {
+function driveIn({ shown, strategies, series }: ResultView): Drive | null {
   const bump = numberAt(shown.scenario, "/road/bump/start", 0);
   const target = numberAt(shown.scenario, "/speed/target_speed_kmh", 0);
   const detected = bump - numberAt(shown.scenario, "/speed/detection_distance", 0);
@@ -246,12 +246,12 @@ function drivenIn({ shown, strategies, series }: ResultView): Driven | null {
 
 function surfaceFigure(
   { surface, speed_error, distance }: FuzzyAnswer,
-  driven: Driven | null,
+  drive: Drive | null,
   palette: Palette,
 ): ChartFigure {
   const columns = surface.speed_error.map((_, at) => surface.torque.map((row) => row[at] ?? 0));
   const line = { mode: "lines", opacity: 1, hoverinfo: "skip", type: "scatter", name: "" } as const;
-  const path = { ...line, x: driven?.distance ?? [], y: driven?.speedError ?? [] };
+  const path = { ...line, x: drive?.distance ?? [], y: drive?.speedError ?? [] };
   return {
     data: [
       {

@@ -18,7 +18,7 @@ import { Button, Group, Modal } from "@mantine/core";
 import { useState } from "react";
 import { Entry } from "../../ui/Entry";
 import { Fault } from "../../ui/Messages";
-import { submits } from "../../ui/NameForm";
+import { submits } from "../../ui/ListEntry";
 
 export function FileMapping() {
   const [file] = useSelector(unclear);

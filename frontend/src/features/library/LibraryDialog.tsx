@@ -24,7 +24,7 @@ import { useEdit, useScenario, useView } from "../../lab/context";
 import { formatMinute } from "../../units/dates";
 import { Fault } from "../../ui/Messages";
 import { requirementsIn, requirementsText } from "../../lab/requirements";
-import { MoreMenu, NameForm, submits } from "../../ui/NameForm";
+import { MoreMenu, NameForm, submits } from "../../ui/ListEntry";
 import { count } from "../../units/format";
 
 const CLAIMS = {

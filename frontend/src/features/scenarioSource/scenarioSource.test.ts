@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { standardScenario } from "../../scenario/differences";
+import { paperScenarioOf } from "../../scenario/differences";
 import { FORM } from "../../scenario/form.fixture";
 import { setAt } from "../../scenario/path";
 import { parseSearch, stringifySearch } from "../../lab/address";
@@ -20,7 +20,7 @@ describe("where a page's scenario comes from", () => {
 });
 
 describe("what differs from the paper", () => {
-  const paper = standardScenario(FORM);
+  const paper = paperScenarioOf(FORM);
   const changed = setAt(setAt(paper, "/road/bump/height", -0.06), "/mpc/weights/1", 3);
 
   it("is told field by field", () => {

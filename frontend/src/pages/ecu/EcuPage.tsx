@@ -174,7 +174,7 @@ function Setting({
     release: () => undefined,
     commit,
     reject: setRejected,
-    accept: () => setRejected(undefined),
+    clearInvalid: () => setRejected(undefined),
   };
   return field.kind === "number" ? (
     <NumberFieldRow {...{ field, leaf }} withSlider={false} />

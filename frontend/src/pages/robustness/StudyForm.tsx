@@ -18,7 +18,7 @@ import { ask } from "../../api/http";
 import { withKey } from "../../api/jobs";
 import { STUDY_LABEL } from "../../features/sweep/SweepList";
 import { useJobForm } from "../../features/jobForm/useJobForm";
-import { submits } from "../../ui/NameForm";
+import { submits } from "../../ui/ListEntry";
 import { Columns } from "../../ui/Card";
 
 interface Props {

@@ -24,7 +24,7 @@ import { Choice, Entry } from "../../ui/Entry";
 import { ask } from "../../api/http";
 import { withKey } from "../../api/jobs";
 import { useJobForm } from "../../features/jobForm/useJobForm";
-import { submits } from "../../ui/NameForm";
+import { submits } from "../../ui/ListEntry";
 import { Columns } from "../../ui/Card";
 
 export function TunerPage() {

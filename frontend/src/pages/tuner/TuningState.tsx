@@ -19,7 +19,7 @@ import classes from "./tuner.module.css";
 import { Entry } from "../../ui/Entry";
 import ui from "../../ui/ui.module.css";
 import { Note } from "../../ui/Messages";
-import { submits } from "../../ui/NameForm";
+import { submits } from "../../ui/ListEntry";
 
 interface Props {
   readonly tuning: Tuning;
