@@ -16,6 +16,7 @@ from sim_core.controller_files import ControllerFileError
 from sim_core.errors import MissingRoadError, RidelabError, TooExpensiveError
 
 SOURCE = b'{"source":'  # begins the JSON of a controller of one's own
+OBJECTS = 1000  # what an outcome's own objects take, and a cache's entry [bytes]
 JSON_OPTIONS = orjson.OPT_SERIALIZE_NUMPY
 
 
@@ -71,8 +72,8 @@ class Outcome:
 
     @property
     def size(self) -> int:
-        """Memory it takes, roughly [bytes]."""
-        return len(self.json) + (self.series.nbytes if self.series is not None else 0)
+        """Memory it takes in a cache, roughly [bytes]."""
+        return OBJECTS + len(self.json) + (self.series.nbytes if self.series is not None else 0)
 
     def answer(self, **fields: object) -> orjson.Fragment:
         """Its entry in the answer about a run, with these members beside its own; a failure's kind is never missing."""

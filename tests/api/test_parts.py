@@ -2,8 +2,10 @@
 
 import math
 import os
+import pickle
 import subprocess
 import sys
+import tracemalloc
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +13,7 @@ import orjson
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 
 from backend import digest
 from backend.means_over_roads import seeded
@@ -104,6 +107,19 @@ def test_a_failure_that_an_older_version_stored_is_answered_with_its_kind() -> N
         "kind": "refused",
         "fields": [],
     }
+
+
+@pytest.mark.parametrize("series", [None, np.zeros((4, 100), dtype=np.float32)])
+def test_results_in_memory_take_no_more_than_they_may(series: NDArray[np.float32] | None) -> None:
+    """As they come from a worker."""
+    result = Outcome(key="k", strategy="lv", status="ok", json=bytes(2900), compute_ms=1.5, points=100, series=series)
+    memory, content = ResultCache(10**6), pickle.dumps(result)
+    tracemalloc.start()
+    for number in range(1000):
+        memory.put(f"{number:043}", pickle.loads(content))  # noqa: S301  # our own
+    taken, _ = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert 0.8e6 < taken < 1.02e6
 
 
 def test_memory_answers_only_for_the_points_it_has() -> None:
