@@ -61,6 +61,8 @@ def test_a_link_opens_the_same_numbers_the_same_view_and_the_pins(dashboard: Das
     expect(page.locator(pinned)).to_have_attribute("data-value", str(paper[key]))
     expect(page.get_by_role("list", name="Pinned results")).to_have_text("As printed")
     expect(dashboard.panel("body_acceleration")).to_have_attribute("data-drawn", "4")
+    expect(bump).to_have_attribute("aria-pressed", "true")
+    expect(page.get_by_text("After an edit")).to_have_count(0)  # it is read-only
     expect(dashboard.row("lqr")).to_have_attribute("data-baseline", "true")
     assert dashboard.shown_values() == values
     expect(dashboard.row("passive")).to_have_count(0)

@@ -28,6 +28,7 @@ describe("a link's view", () => {
       reference: null,
       differences: false,
       pins: [{ name: "Soft", shown: { runId: "s" } }],
+      zoom: [1, 2.5],
       whole: [0, 9],
       range: [1, 2.5],
     } as unknown as ResultView;
@@ -54,6 +55,15 @@ describe("a link's view", () => {
       strategies: ["lv", "passive"],
       at: 2,
     });
+  });
+
+  it("follows the bump where it was shown as the page opens", () => {
+    const whole = [0, 9];
+    const opened = (range: readonly number[]) =>
+      viewToShare(resultView({ reference: null, zoom: null, whole, range }), null, null);
+    expect(opened([1, 2.5])).not.toHaveProperty("zoom");
+    expect(read(opened([1, 2.5])).view.zoom).toBeNull();
+    expect(opened(whole)).toMatchObject({ zoom: null });
   });
 
   const pin = { name: "Soft", shown: { runId: "s" } };

@@ -58,14 +58,14 @@ function comparisonToShare({
 }
 
 export function viewToShare(resultView: ResultView, at: number | null, instant: View["instant"]): SharedView {
-  const { summaries, ids, baseline, axis, whole, range, pins } = resultView;
+  const { summaries, ids, baseline, axis, zoom, whole, range, pins } = resultView;
   const computed = Object.keys(summaries);
   return {
     strategies: computed,
     hidden: computed.filter((id) => !ids.includes(id)),
     ...(baseline === null ? {} : { baseline }),
     axis,
-    zoom: range === whole ? null : [...range],
+    ...(zoom === null && range !== whole ? {} : { zoom: range === whole ? null : [...range] }),
     cursor: at,
     ...(instant && { instant }),
     ...(pins.length > 0

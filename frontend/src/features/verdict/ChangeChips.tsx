@@ -3,7 +3,7 @@
 import { Group } from "@mantine/core";
 import { useState } from "react";
 import type { Catalogue, OverRoads, Strategy, StrategyId } from "../../api/types";
-import { useLabContext } from "../../lab/context";
+import { useLabContext, useReadOnly } from "../../lab/context";
 import { whyNotCompared, type Variant } from "../../lab/compare";
 import type { ResultView } from "../../lab/resultView";
 import { labelled, Choice } from "../../ui/Entry";
@@ -26,6 +26,7 @@ interface Props {
 export function ChangeChips({ resultView, catalogue }: Props) {
   const { before, shown, strategies } = resultView;
   const [picked, setPicked] = useState<string | null>(null);
+  const readOnly = useReadOnly();
   const unlike = before && whyNotCompared(shown, before.shown);
   const paired = usePairedChanges(
     shown,
@@ -35,6 +36,7 @@ export function ChangeChips({ resultView, catalogue }: Props) {
     before === null
       ? "After an edit, what it changes in eight metrics stands here."
       : unlike !== null && `The state before is ${unlike}: its changes are not shown.`;
+  if (before === null && readOnly) return null;
   if (before === null || note)
     return (
       <div className={classes.chips} data-unprinted>
