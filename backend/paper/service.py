@@ -53,12 +53,16 @@ class Paper:
         sets |= {name: item.choices for name, item in INTERPRETATIONS.items()}
         requests = {name: await _requests(each, roads) for name, each in sets.items()}
         rows = await self._get(client, *requests.values(), patience=0.0 if partial else None)
-        values = {
-            name: paper_rows.figures_by_strategy(rows.by_key, requests[name], each[claims.WINDOW])
-            for name, each in sets.items()
-        }
-        named = {name: values[name] for name in INTERPRETATIONS}
-        return answers.reproduction(choices, roads, values[""], values["blind"], named, rows)
+
+        def answer() -> PaperAnswer:
+            values = {
+                name: paper_rows.figures_by_strategy(rows.by_key, requests[name], each[claims.WINDOW])
+                for name, each in sets.items()
+            }
+            named = {name: values[name] for name in INTERPRETATIONS}
+            return answers.reproduction(choices, roads, values[""], values["blind"], named, rows)
+
+        return await asyncio.to_thread(answer)
 
     async def readings(self, roads: range, client: str) -> ReadingsAnswer:
         """The effect of each reading by itself, from the rows that are available after a while.
@@ -71,21 +75,25 @@ class Paper:
         sets = [default, *({**default, reading: choice} for reading, choice in choices)]
         requests = [await _requests(each, roads) for each in sets]
         rows = await self._get(client, *requests, patience=WAIT_FOR_ROWS)
-        values = [
-            paper_rows.figures_by_strategy(rows.by_key, row_requests, each[claims.WINDOW])
-            for row_requests, each in zip(requests, sets, strict=True)
-        ]
-        needed = set(claims.SIMULATED if rows.reason is not None else claims.STRATEGIES)
-        base = claims.judge(values[0])
-        return ReadingsAnswer(
-            rows=[
-                answers.reading_row(reading, choice, base, claims.judge(ours))
-                for (reading, choice), ours in zip(choices, values[1:], strict=True)
-                if needed <= ours.keys() and needed <= values[0].keys()
-            ],
-            complete=rows.complete,
-            unavailable=answers.unavailable(rows.reason),
-        )
+
+        def answer() -> ReadingsAnswer:
+            values = [
+                paper_rows.figures_by_strategy(rows.by_key, row_requests, each[claims.WINDOW])
+                for row_requests, each in zip(requests, sets, strict=True)
+            ]
+            needed = set(claims.SIMULATED if rows.reason is not None else claims.STRATEGIES)
+            base = claims.judge(values[0])
+            return ReadingsAnswer(
+                rows=[
+                    answers.reading_row(reading, choice, base, claims.judge(ours))
+                    for (reading, choice), ours in zip(choices, values[1:], strict=True)
+                    if needed <= ours.keys() and needed <= values[0].keys()
+                ],
+                complete=rows.complete,
+                unavailable=answers.unavailable(rows.reason),
+            )
+
+        return await asyncio.to_thread(answer)
 
     async def attribution(self, roads: range, client: str) -> AttributionAnswer:
         """What each part contributes.
@@ -93,7 +101,8 @@ class Paper:
         Raises:
             TemporaryError: Too much is being computed.
         """
-        return answers.attribution(roads, await self._study(paper_rows.ATTRIBUTION, roads, client))
+        rows = await self._study(paper_rows.ATTRIBUTION, roads, client)
+        return await asyncio.to_thread(answers.attribution, roads, rows)
 
     async def figures(self, roads: range, client: str) -> PaperFigures:
         """The paper's figures, drawn from our runs.

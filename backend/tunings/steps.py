@@ -179,7 +179,9 @@ class TuningSteps:
         if measured is None:
             return
         by_number = dict(zip(roles, measured, strict=True))
-        points = comparison.compared(trials, roles, by_number, request["seeds"], request["fresh_seeds"], aims)
+        points = await asyncio.to_thread(
+            comparison.compared, trials, roles, by_number, request["seeds"], request["fresh_seeds"], aims
+        )
         await self._advance(
             job,
             event="state",

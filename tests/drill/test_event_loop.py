@@ -1,7 +1,7 @@
 """Nothing that clients ask for holds the event loop longer than 20 ms: while it is held, nobody is answered.
 
 The largest of everything, one after the other: 50 roads and nine strategies, a sweep of 10,000 runs with all that is
-read of it, a road of 2 km, links, the paper, the API's description. A probe in the service measures each callback.
+read of it, a tuning, a road of 2 km, links, the paper, the API's description. A probe measures each callback.
 """
 
 import json
@@ -79,6 +79,13 @@ def sweeps(api: Api) -> None:
         get(api, f"/batches/{batch}/results", format=kind)
 
 
+def tunings(api: Api) -> None:
+    body = {"scenario": {}, "strategy": "lqr", "trials": 48, "population": 24}
+    tuning = ask(api.url, "POST", "/tunings", json=body)["id"]
+    wait_until(lambda: ask(api.url, "GET", f"/tunings/{tuning}")["state"] == "done", "the tuning", pause=1.0)
+    get(api, f"/tunings/{tuning}/trials")
+
+
 def everything_else(api: Api) -> None:
     road = request("POST", f"{api.url}/api/v1/roads", content=ROAD, headers={"Content-Type": "text/csv"})
     assert road.is_success, road.text
@@ -88,13 +95,14 @@ def everything_else(api: Api) -> None:
     nested = b'{"scenario": [' + b"[" * 1_000_000
     refused = request("POST", f"{api.url}/api/v1/runs", content=nested, headers={"Content-Type": "application/json"})
     assert refused.status_code == 413, refused.text
-    get(api, "/paper")
+    for part in ("", "/readings", "/attribution", "/figures"):
+        get(api, f"/paper{part}")
     request("GET", f"{api.url}/openapi.json").raise_for_status()
 
 
 def test_nothing_takes_the_event_loop_for_long(api: Api, lines: Path) -> None:
     before = len(lines.read_text().splitlines())
-    for part in (runs, sweeps, everything_else):
+    for part in (runs, sweeps, tunings, everything_else):
         part(api)
     found = [json.loads(line) for line in lines.read_text().splitlines()[before:]]
     for each in sorted(found, key=lambda each: -each["seconds"]):
