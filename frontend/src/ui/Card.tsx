@@ -31,7 +31,7 @@ export function Card({ title, tools, className = "", children, ...rest }: Props)
   );
 }
 
-interface ColumnsProps extends ComponentProps<"div"> {
+interface ColumnsProps extends BoxProps, Omit<ComponentProps<"div">, keyof BoxProps> {
   /** The least width of each. */
   readonly least?: string;
   readonly gap?: string;
@@ -39,7 +39,7 @@ interface ColumnsProps extends ComponentProps<"div"> {
 
 /** Cards or fields side by side, as many as have room. */
 export const Columns = ({ least = "27rem", gap = "0.7rem", ...rest }: ColumnsProps) => (
-  <div
+  <Box
     style={{ display: "grid", gap, gridTemplateColumns: `repeat(auto-fill, minmax(min(100%, ${least}), 1fr))` }}
     {...rest}
   />

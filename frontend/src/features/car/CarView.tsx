@@ -70,7 +70,7 @@ export function CarView({ resultView }: { readonly resultView: ResultView }) {
         ))}
         {width > 0 && <Key resultView={resultView} width={width} exaggeration={Number(exaggeration)} />}
       </div>
-      <div className={classes.controls} data-unprinted>
+      <Group gap="0.5rem" p="0.35rem 0.6rem" style={{ borderTop: "1px solid var(--line)" }} data-unprinted>
         <ActionIcon
           data-hint={playing ? "Pause (Space)" : "Play (Space)"}
           variant="light"
@@ -98,7 +98,7 @@ export function CarView({ resultView }: { readonly resultView: ResultView }) {
           />
         </Options>
         <WhyButton />
-      </div>
+      </Group>
     </Card>
   );
 }

@@ -1,6 +1,6 @@
 /** The result in one sentence, for eyes and for screen readers, and the way to a comparison at equal speed. */
 
-import { Button } from "@mantine/core";
+import { Button, Group, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import type { Catalogue, OverRoads, Strategy, StrategyId } from "../../api/types";
@@ -11,7 +11,6 @@ import { setAt } from "../../scenario/path";
 import { changesQuery } from "../../server/queries";
 import { CaveatMark } from "../tables/ChangeMark";
 import { caveatsOf } from "../tables/caveats";
-import classes from "./verdict.module.css";
 import { formatFixed } from "../../units/format";
 import { formatPercent, type Change, type Verdict } from "../tables/change";
 import { changeBetween, comparedMetrics, oneRoadNoiseOf } from "../tables/entries";
@@ -48,11 +47,11 @@ export function VerdictLine({ resultView, catalogue }: Props) {
   const text = sentence ? sentence.lead + sentence.rest : "";
   if (shown.source === "exact" && !stale && text !== announced) setAnnounced(text);
   return (
-    <div className={classes.verdict} data-testid="verdict">
+    <Group gap="0.2rem 0.7rem" p="0 0.2rem" fz="sm" lh={1.4} data-testid="verdict">
       <p className="visually-hidden" role="status">
         {announced}
       </p>
-      <p aria-hidden>
+      <Text component="p" inherit aria-hidden>
         {sentence ? (
           <>
             <strong>{sentence.lead}</strong>
@@ -63,9 +62,9 @@ export function VerdictLine({ resultView, catalogue }: Props) {
         ) : (
           "\u00a0"
         )}
-      </p>
+      </Text>
       {leader && <CaveatMark caveats={caveatsOf(summaries[leader.id]?.events, catalogue)} />}
-    </div>
+    </Group>
   );
 }
 

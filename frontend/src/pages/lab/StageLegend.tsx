@@ -1,5 +1,6 @@
 /** What the shading and the lines behind the curves mean. */
 
+import { Group } from "@mantine/core";
 import type { Catalogue, FigureMeta } from "../../api/types";
 import { layersOf } from "../../plots/curves";
 import { stagedStrategy } from "../../plots/shapes";
@@ -28,7 +29,7 @@ export function StageLegend({ resultView, catalogue, meta }: Props) {
   const layers = resultView.differences ? [] : layersOf(resultView, resultView.shown.runId);
   const several = resultView.axis === "time" && resultView.ids.length > 1;
   return (
-    <div className={classes.legend}>
+    <Group gap="0.2rem 1.1rem" m="0.1rem 0.2rem" fz="xs" c="dimmed">
       {resultView.ids.length > 1 &&
         resultView.strategies.map((strategy) => (
           <button
@@ -75,6 +76,6 @@ export function StageLegend({ resultView, catalogue, meta }: Props) {
       <span className={classes.hint} data-unprinted data-pointer="coarse">
         Slide along a plot to read it
       </span>
-    </div>
+    </Group>
   );
 }

@@ -1,6 +1,6 @@
 /** Every figure's spread under each strategy: bars to compare, a table to read, the worst case to open. */
 
-import { SegmentedControl, Text, Box, Group } from "@mantine/core";
+import { SegmentedControl, Box, Group } from "@mantine/core";
 import { useState } from "react";
 import type { BatchSummary, Strategy } from "../../api/types";
 import { type Metric, fullName } from "../../server/metrics";
@@ -32,7 +32,7 @@ export function Spread({ summary, strategies, figures, opening }: Props) {
       tools={<SegmentedControl aria-label="Figures" value={shownGroup} data={groups} onChange={setShownGroup} />}
     >
       <Key />
-      <Columns gap="0.4rem 2rem">
+      <Columns gap="0.4rem 2rem" p="0.3rem 1rem 0.8rem">
         {shown.map((figure) => (
           <Intervals key={figure.key} {...{ summary, strategies, figure }} />
         ))}
@@ -112,7 +112,7 @@ function columnsOf({ summary, shownGroup, against, opening }: Context): readonly
 
 function Key() {
   return (
-    <Text component="div" size="xs" c="dimmed" className={styles.key ?? ""}>
+    <Group fz="xs" c="dimmed" gap="0.2rem 1.2rem" p="0 1rem 0.4rem" className={styles.key ?? ""}>
       <span>
         <i className={styles.bar} /> 5 to 95 %
       </span>
@@ -128,7 +128,7 @@ function Key() {
       <span>
         <i className={styles.worst} /> worst case
       </span>
-    </Text>
+    </Group>
   );
 }
 
