@@ -276,8 +276,8 @@ class Solution:
         resolution: Smallest change of the metric [%] that is more than luck; None where there is no luck, or none
             known.
         resolved_value: The value in no more digits than that leaves it, rounded down; not driven itself.
-        bracket: The value, and the next larger one tried, which does not keep the limit; twice the value at the top of
-            the range.
+        bracket: The value, and the next larger one, which does not keep the limit or could not be tried; twice the
+            value at the top of the range.
         runs: How many runs it took.
         run_id: The run at that value.
         unit: Of the field, `1` for none.

@@ -42,7 +42,7 @@ def test_a_limit_is_asked_answered_and_put_into_the_form(dashboard: Dashboard) -
     find.click()
     answer = dialog.get_by_role("status")
     expect(answer).to_contain_text("Height at most about 6.4\u00a0cm")
-    expect(answer).to_contain_text("at 6.467\u00a0cm. 6.468\u00a0cm does not keep the limit")
+    expect(answer).to_contain_text("at 6.467\u00a0cm; 6.468\u00a0cm does not keep the limit")
     expect(answer).to_contain_text(
         "On one road a change of Body acceleration, peak, bump below 7 % may be luck; from 5.9"
     )

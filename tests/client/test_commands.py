@@ -245,6 +245,17 @@ def test_where_nothing_keeps_the_limits_the_exit_code_is_1(cli: Cli, prepared: P
     assert cli.error == "No value.\n"
 
 
+def test_a_solution_says_whether_the_next_value_failed_or_could_not_be_tried(cli: Cli, prepared: Prepared) -> None:
+    for metric_value, beyond in ((5.0, "does not keep the limit"), (None, "could not be tried")):
+        prepared.answers["POST /solve"] = {
+            **{"value": 5, "metric_value": 3.9, "resolution": None, "resolved_value": 5, "runs": 2, "interval": None},
+            **{"bracket": [5, 6], "run_id": RUN, "unit": "1", "metric_unit": "m/s^2", "warnings": []},
+            "tried": [{"value": 6, "metric_value": metric_value, "run_id": None, "reason": None}],
+        }
+        said = cli("solve", "--field", "road.bump.count=1:20", "--limit", f"{PEAK}=4", "-s", "lv")
+        assert f"road.bump.count at most 5; 6 {beyond}\n" in said
+
+
 def test_a_robustness_study_is_a_sweep_of_what_is_uncertain(cli: Cli, prepared: Prepared) -> None:
     batch = prepared.job("batch")
     prepared.answers[f"GET /batches/{batch}/summary"] = {"batch": batch}

@@ -160,8 +160,8 @@ class Solution(Answer):
         description="The value in no more digits than `resolution` leaves it, rounded down; not driven itself"
     )
     bracket: tuple[Value, Value] = Field(
-        description="The value, and the next larger one tried, which does not keep the limit; twice the value at the "
-        "top of the range"
+        description="The value, and the next larger one, which does not keep the limit or could not be tried; twice "
+        "the value at the top of the range"
     )
     runs: int = Field(description="How many runs it took, one a road and value tried; equal ones are stored once")
     run_id: str = Field(description="The run at that value")

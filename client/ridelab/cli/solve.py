@@ -73,10 +73,12 @@ def solve(
 def _show(solution: Solution, name: str, metric: str | None, roads: int) -> None:
     low, high = solution.bracket
     value, above, resolved = (_with_unit(each, solution.unit) for each in (low, high, solution.resolved_value))
+    untried = any(each["value"] == high and each["metric_value"] is None for each in solution.tried)
     if high > low and resolved == value:
-        typer.echo(f"{name} at most {value}; {above} does not keep the limit")
+        typer.echo(f"{name} at most {value}; {above} {'could not be tried' if untried else 'does not keep the limit'}")
     elif high > low:
-        typer.echo(f"{name} at most about {resolved}: {value} keeps the limit, {above} does not")
+        beyond = "could not be tried" if untried else "does not"
+        typer.echo(f"{name} at most about {resolved}: {value} keeps the limit, {above} {beyond}")
     else:
         typer.echo(f"{name}: {value}, the top of the range, keeps the limit; the largest value may lie beyond")
     held = _with_unit(solution.metric_value, solution.metric_unit, 4)

@@ -18,7 +18,7 @@ import { pointerOf, sweepFields, type SweepField } from "../../scenario/fields";
 import { Fault } from "../../ui/Messages";
 import { Entry, labelled } from "../../ui/Entry";
 import { formatExact, formatInput, formatResult, prettyUnit } from "../../units/format";
-import { LimitChart } from "./LimitChart";
+import { curveOf, LimitChart } from "./LimitChart";
 import { ALL, askable, otherField, readDraft, type Range, type SolveDraft, translateUnits } from "./draft";
 import ui from "../../ui/ui.module.css";
 
@@ -219,6 +219,8 @@ function Answer({ solution, field, figure, onClose }: AnswerProps) {
   const readOnly = useReadOnly();
   const [, above] = solution.bracket;
   const isWhole = above === solution.value;
+  const isDriven = curveOf(solution.tried).some(([value]) => value === above);
+  const beyond = isDriven ? `does not keep ${figure ? "the limit" : "all of them"}` : "could not be tried";
   const isExact = solution.resolved_value === solution.value;
   const text = (value: number) =>
     field.leaf.kind === "number" ? valueText(field.leaf, value) : formatExact(value, solution.unit);
@@ -245,8 +247,8 @@ function Answer({ solution, field, figure, onClose }: AnswerProps) {
           ? `${fullName(figure)}: ${formatResult(solution.metric_value * figure.scale)} ${prettyUnit(figure.unit)}`
           : `All requirements pass; the strictest limit is used to ${formatResult(100 * solution.metric_value)} %`}{" "}
         at {text(solution.value)}
-        {solution.interval ? ", the upper end of its interval" : ""}.{" "}
-        {isWhole ? "" : `${text(above)} does not keep ${figure ? "the limit" : "all of them"}.`}
+        {solution.interval ? ", the upper end of its interval" : ""}
+        {isWhole ? "." : `; ${text(above)} ${beyond}.`}
       </Text>
       {solution.warnings.length > 0 && (
         <List size="sm">
