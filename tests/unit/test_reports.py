@@ -60,7 +60,7 @@ def test_inputs_keep_every_digit(value: float, shown: str) -> None:
         (0.04, "0.0\u2009%"),
         (-0.04, "0.0\u2009%"),
         (741.2, "+741\u2009%"),
-        (1e6, "+>9999\u2009%"),
+        (1e6, "> +9999\u2009%"),
     ],
 )
 def test_changes_have_a_sign_unless_they_are_nothing(change: float, shown: str) -> None:

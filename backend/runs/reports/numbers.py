@@ -62,8 +62,9 @@ def percent(change: float, half: float = 0.0) -> str:
         return f"{sign if float(text) else ''}{text} ± {uncertainty}{_THIN}%"
     if size < SAME:
         return f"0.0{_THIN}%"
-    digits = f"{size:.1f}" if size < 99.95 else f"{size:.0f}" if size < 9999.5 else ">9999"
-    return f"{sign}{digits}{_THIN}%"
+    if size >= 9999.5:
+        return f"{'<' if change < 0 else '>'} {sign}9999{_THIN}%"
+    return f"{sign}{size:.{decimals}f}{_THIN}%"
 
 
 def printed(change: float) -> str:

@@ -49,6 +49,11 @@ describe("a change over several roads", () => {
     expect(pairedChange({ mean: 4, low: 1, high: 7 }).verdict).toBe("worse");
     expect(pairedChange({ mean: -4, low: -9, high: 1 }).verdict).toBe("same");
     expect(formatPercent(-40, 3)).toBe("−40\u2009±\u20093\u2009%");
+    expect([-12e3, 9999, 12e3].map((percent) => formatPercent(percent))).toEqual([
+      "< −9999\u2009%",
+      "+9999\u2009%",
+      "> +9999\u2009%",
+    ]);
     expect(formatPercent(0.1, 0.04)).toBe("+0.1\u2009%");
     expect(formatPercent(0, 3)).toBe("0\u2009±\u20093\u2009%");
     expect(formatPercent(-93.11, 0.42)).toBe("−93.1\u2009±\u20090.4\u2009%");

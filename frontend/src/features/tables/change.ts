@@ -52,8 +52,9 @@ export function pairedChange({ mean, low, high }: Interval): Change {
 export function formatPercent(percent: number, half = 0): string {
   const size = Math.abs(percent);
   const decimals = size < 99.95 && half < 0.95 ? 1 : 0;
-  const digits = size < 9999.5 ? size.toFixed(decimals) : ">9999";
+  const digits = Math.min(size, 9999).toFixed(decimals);
   const sign = Number(digits) === 0 ? "" : percent < 0 ? "−" : "+";
+  const beyond = size < 9999.5 ? "" : percent < 0 ? "< " : "> ";
   const uncertainty = half.toFixed(decimals);
-  return `${sign}${digits}${Number(uncertainty) === 0 ? "" : `\u2009±\u2009${uncertainty}`}\u2009%`;
+  return `${beyond}${sign}${digits}${Number(uncertainty) === 0 ? "" : `\u2009±\u2009${uncertainty}`}\u2009%`;
 }
