@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from tests.browser.dashboard import Dashboard, expect_new_address
+from tests.browser.dashboard import LAPTOP, Dashboard, expect_new_address
 from tests.browser.looks import expect
 from tests.browser.server import Server
 
@@ -33,6 +33,10 @@ def test_several_roads_are_chosen_and_changes_against_a_pin_and_the_state_before
     page.get_by_label("Roads").select_option("5")
     expect_new_address(page, address)
     expect(note).to_contain_text("Mean of 5 roads")
+    page.set_viewport_size({"width": 1366, "height": 768})  # a laptop's, on which no metric is cut
+    box = "document.querySelector('[data-intervals] table, table[data-intervals]').parentElement"
+    assert page.evaluate(f"{box}.scrollWidth - {box}.clientWidth") == 0
+    page.set_viewport_size(LAPTOP)
     dashboard.expect_curves()
     # What it was before and the pin were of one road: both are driven over as many.
     paper = server.post("/runs", {"scenario": {}, "strategies": strategies, "roads": 5})["id"]
