@@ -24,6 +24,7 @@ from backend.api import (
     site,
     tunings,
 )
+from backend.compute import processes
 from backend.compute.workers import Workers
 from backend.file_formats import BINARY
 from backend.http import openapi, problems
@@ -63,6 +64,7 @@ ROUTERS = (
     login.login,
     health.health,
 )
+TRIM_INTERVAL = 60.0  # else freed pages add up in hours of mixed work (tests/drill/test_soak.py) [s]
 COMPRESS_FROM = 2048  # shorter answers fit two network packets as they are [bytes]
 
 
@@ -115,9 +117,16 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
     return app
 
 
+async def _trim_memory() -> None:
+    while True:
+        await asyncio.sleep(TRIM_INTERVAL)
+        await asyncio.to_thread(processes.trim_memory)
+
+
 @asynccontextmanager
 async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     services: Services = app.state.services
+    trimming = asyncio.create_task(_trim_memory())
     try:
         await anyio.sleep(0)  # loads what the first answer in pieces would load in the event loop, 35 ms
         warming = asyncio.create_task(asyncio.to_thread(answers.warm))  # beside: nobody waits for it
@@ -126,4 +135,5 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         yield
         await warming
     finally:
+        trimming.cancel()
         await services.close()

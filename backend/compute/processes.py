@@ -47,6 +47,12 @@ def return_freed_memory() -> None:
     _set_allocator((_M_MMAP_THRESHOLD, 128 * 1024), (_M_TRIM_THRESHOLD, 1024 * 1024), (_M_ARENA_MAX, 2))
 
 
+def trim_memory() -> None:
+    """Have glibc give back the freed pages that lie between blocks in use, which it keeps by itself."""
+    with suppress(OSError, AttributeError):  # another C library
+        ctypes.CDLL(None).malloc_trim(0)
+
+
 def _set_allocator(*settings: tuple[int, int]) -> None:
     with suppress(OSError, AttributeError):  # another C library
         mallopt = ctypes.CDLL(None).mallopt

@@ -122,6 +122,27 @@ def test_results_in_memory_take_no_more_than_they_may(series: NDArray[np.float32
     assert 0.8e6 < taken < 1.02e6
 
 
+TRIM = """
+from pathlib import Path
+from backend.compute import processes
+def resident():
+    return int(Path("/proc/self/statm").read_text().split()[1]) * 4096
+processes.return_freed_memory()
+blocks = [bytes(1000) for _ in range(100_000)]
+blocks = blocks[::100]
+before = resident()
+processes.trim_memory()
+print(before - resident())
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems have another allocator")
+def test_freed_pages_between_blocks_in_use_are_given_back() -> None:
+    """Of 100 MB every hundredth block stays."""
+    given_back = subprocess.run([sys.executable, "-c", TRIM], capture_output=True, text=True, check=True).stdout
+    assert int(given_back) > 80e6
+
+
 def test_memory_answers_only_for_the_points_it_has() -> None:
     memory = ResultCache(10**6)
     memory.put("a", outcome(100, 800))
