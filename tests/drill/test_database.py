@@ -120,7 +120,7 @@ def users(api: Api, accepted: Accepted) -> Iterator[Users]:
     users.end()
 
 
-@pytest.mark.timeout(300)
+@pytest.mark.timeout(900)  # both services have one process for the batch
 @pytest.mark.parametrize("accepted", [LOCKED_RUNS], indirect=True)
 def test_long_locks_of_others(users: Users, api: Api, tmp_path: Path) -> None:
     for what, begin in (("foreign writer", "BEGIN IMMEDIATE"), ("foreign reader", "BEGIN")):
@@ -136,7 +136,7 @@ def test_long_locks_of_others(users: Users, api: Api, tmp_path: Path) -> None:
     assert "Traceback" not in api.log
 
 
-@pytest.mark.timeout(300)
+@pytest.mark.timeout(900)  # both services have one process for the batch
 @pytest.mark.parametrize("accepted", [COPIED_RUNS], indirect=True)
 def test_backups_during_a_batch(users: Users, accepted: Accepted, tmp_path: Path) -> None:
     path, copies = tmp_path / "data/ridelab.sqlite", tmp_path / "copies"
