@@ -41,7 +41,7 @@ api = jobs.JobApi(
 )
 submitting = router(api.plural, 400, 409, 413, 415, 422, 429, 503)
 reading = router(api.plural, 404, 422, 429, 503, route_class=ComputingRoute)
-batches, naming = api.routers()
+lists, batches, naming = api.routers()
 
 
 @submitting.post(

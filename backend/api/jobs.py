@@ -12,6 +12,7 @@ from backend.api import API, router
 from backend.api.deps import Client
 from backend.http import problems
 from backend.http.answers import json_answer
+from backend.http.routing import ReadingRoute
 from backend.http.tokens import Caller
 from backend.jobs.models import LabelRequest
 from backend.jobs.service import CURSOR, Jobs
@@ -67,19 +68,20 @@ class JobApi:
     events: Sequence[str]
     event_data: str
 
-    def routers(self) -> tuple[APIRouter, APIRouter]:
-        """The routers of what every kind has: the routes without a request body, and those with one."""
+    def routers(self) -> tuple[APIRouter, APIRouter, APIRouter]:
+        """The routers of what every kind has: lists and one of them, others without a request body, those with one."""
+        lists = router(self.plural, 404, 422, 503, route_class=ReadingRoute)
         without_body = router(self.plural, 404, 422, 503)
         with_body = router(self.plural, 400, 404, 413, 415, 422, 503)
-        self._add_queries(without_body)
+        self._add_queries(lists)
         self._add_changing(without_body, with_body)
         self._add_events(without_body)
-        return without_body, with_body
+        return lists, without_body, with_body
 
-    def _add_queries(self, without_body: APIRouter) -> None:
+    def _add_queries(self, lists: APIRouter) -> None:
         Service = Annotated[JobService, self.service]  # a type, made here because it differs by kind
 
-        @without_body.get(f"/{self.plural}", operation_id=f"list{self.plural.title()}", response_model=self.page_model)
+        @lists.get(f"/{self.plural}", operation_id=f"list{self.plural.title()}", response_model=self.page_model)
         async def page(
             service: Service,
             limit: Annotated[int, Query(ge=1, le=500, description="At most so many")] = 50,
@@ -90,7 +92,7 @@ class JobApi:
             """The newest first, page by page."""
             return json_answer(await service.page(limit=limit, cursor=cursor, state=state, label=label))
 
-        @without_body.get(f"/{self.plural}/{{id}}", operation_id=f"get{self.name.title()}", response_model=self.model)
+        @lists.get(f"/{self.plural}/{{id}}", operation_id=f"get{self.name.title()}", response_model=self.model)
         async def get(job_id: JobId, service: Service) -> Response:
             """The job's present state; its events report changes."""
             return json_answer(await service.answer(await service.jobs.get(job_id)))

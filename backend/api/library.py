@@ -3,6 +3,7 @@
 from fastapi import Response
 
 from backend.api import router
+from backend.http.routing import ReadingRoute
 from backend.json_types import JsonObject
 from backend.library import answers
 from backend.library.models import Catalogue, HalfCarAnswer, PresetAnswer, ProblemAnswer, StrategyAnswer, VehicleAnswer
@@ -10,7 +11,7 @@ from backend.models import CharacteristicsAnswer, Figures
 from sim_core.scenario import characteristics
 from sim_core.scenario.data_sheet import DataSheet
 
-library = router("schema")
+library = router("schema", route_class=ReadingRoute)
 data_sheets = router("schema", 400, 413, 415)
 
 

@@ -26,7 +26,7 @@ api = jobs.JobApi(
     event_data="state, step, generation, total, done, failed, feasible; progress also best and hypervolume",
 )
 beginning = router(api.plural, 400, 409, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
-tunings, naming = api.routers()
+lists, tunings, naming = api.routers()
 
 
 @beginning.post(

@@ -119,7 +119,7 @@ class Gate:
                 _computing.reset(token)
 
     def reading(self, client: str) -> asyncio.Semaphore:
-        """What a request of that client that computes nothing holds while it is answered: further ones wait for it."""
+        """Places for requests of that client that only read; one that finds none waits until another is answered."""
         return self._reads.setdefault(client, asyncio.Semaphore(READS_AT_ONCE))
 
     def linking(self, client: str, *, links: int = 1, pinned: int = 0) -> None:

@@ -131,12 +131,26 @@ class StrictRoute(APIRoute):
                     request._json = await _parse(body, self.MAX_VALUES)
                 if self.COMPUTES:
                     return await cancel_on_disconnect(request, handler(request))
-                if takes_body:
-                    return await handler(request)
-                async with parts_of(request).gate.reading(client_of(request)):
-                    return await handler(request)
+                return await handler(request)
 
         return strict
+
+
+class ReadingRoute(StrictRoute):
+    """A route that computes nothing: what its client asks for beyond READS_AT_ONCE waits for an earlier answer."""
+
+    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+        """The framework's handler, in its client's turn."""
+        handler = super().get_route_handler()
+
+        async def answer(request: Request) -> Response:
+            async with parts_of(request).gate.reading(client_of(request)):
+                return await handler(request)
+
+        async def in_turn(request: Request) -> Response:
+            return await cancel_on_disconnect(request, answer(request))
+
+        return in_turn
 
 
 class ComputingRoute(StrictRoute):

@@ -1,5 +1,6 @@
 """Which requests are admitted: limits for one client and for all, and what a refusal says."""
 
+from collections import Counter
 from contextlib import AbstractContextManager, ExitStack
 from typing import Any
 
@@ -227,11 +228,16 @@ def test_a_full_service_answers_what_is_stored_and_for_health(service: Any, run:
     assert service.live(["passive"], new).status_code == 200
 
 
-def test_of_one_clients_reads_some_are_answered_at_a_time_and_nothing_else_waits_for_them(
-    service: Any, run: dict[str, Any]
+def test_of_one_clients_lists_some_are_made_at_a_time_and_nothing_else_waits_for_them(
+    service: Any, run: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    gate = service.app.state.services.gate
-    turns = gate.reading("127.0.0.1")
+    services = service.app.state.services
+    turns, batches, pages = services.gate.reading("127.0.0.1"), services.batches, Counter[str]()
+    page = batches.page
+
+    async def counted(**options: Any) -> Any:
+        pages["made"] += 1
+        return await page(**options)
 
     async def take() -> None:
         for _ in range(READS_AT_ONCE):
@@ -241,14 +247,19 @@ def test_of_one_clients_reads_some_are_answered_at_a_time_and_nothing_else_waits
         for _ in range(READS_AT_ONCE):
             turns.release()
 
+    async def waiting() -> int:
+        return len(turns._waiters or ())  # a semaphore has no public way to ask
+
+    monkeypatch.setattr(type(batches), "page", lambda self, **options: counted(**options))
     service.inside(take())
-    with service.begun("GET", "/api/v1/batches") as waiting:
+    with service.begun("GET", "/api/v1/batches") as left, service.begun("GET", "/api/v1/batches") as stays:
+        wait_until(lambda: service.inside(waiting()) == 2, "both wait for their turn")
         assert service.run(list(run["strategies"]), run["scenario"]).status_code == 200
-        assert service.client.get("/readyz").status_code == 200
-        assert not gate.reading("127.0.0.2").locked()
-        waiting.settimeout(0.2)
-        with pytest.raises(TimeoutError):
-            waiting.recv(1)
+        assert service.client.get(f"/api/v1/runs/{run['id']}").status_code == 200
+        assert not services.gate.reading("127.0.0.2").locked()
+        left.close()
+        wait_until(lambda: service.inside(waiting()) == 1, "who has gone waits no more")
         service.inside(give_back())
-        waiting.settimeout(HANG_TIMEOUT)
-        assert waiting.recv(12) == b"HTTP/1.1 200"
+        stays.settimeout(HANG_TIMEOUT)
+        assert stays.recv(12) == b"HTTP/1.1 200"
+    assert pages["made"] == 1
