@@ -208,7 +208,7 @@ it("under a moving slider curves follow each answer, what is read twice a second
   expect(lab.get()).toMatchObject({ shown: { scenario: { height: 7 } }, busy: false });
 });
 
-it("one answer is read, of the others only the curves in sight are asked for, and one that comes into sight at once", async () => {
+it("all is asked for until an answer is read, then only the curves in sight, and one that comes into sight at once", async () => {
   const { lab, answer, liveSignals, start } = harness();
   await start();
   lab.configure(FORM, ["brake_pressure", "speed", "pitch", "heave"]);
@@ -216,16 +216,26 @@ it("one answer is read, of the others only the curves in sight are asked for, an
   expect(liveSignals).toEqual([]); // no slider moves
   lab.drag(LOW);
   lab.drag({ height: 3 });
-  await answer("live");
+  await answer("live"); // the newer one, so that the older is aborted
+  expect(lab.get().shown?.scenario).toEqual({ height: 3 });
   lab.draw("pitch");
   leave();
   lab.drag({ height: 4 });
   expect(liveSignals).toEqual([
     ["brake_pressure", "speed", "pitch", "heave"],
-    ["brake_pressure", "speed"],
+    ["brake_pressure", "speed", "pitch", "heave"],
     ["brake_pressure", "speed", "pitch"],
     ["brake_pressure", "pitch"],
   ]);
+});
+
+it("of two requests beside each other one answer is read", async () => {
+  const { lab, held, start, tick } = harness();
+  await start();
+  for (const scenario of [LOW, { height: 3 }]) lab.drag(scenario);
+  for (const { answer } of held.live) answer();
+  await tick();
+  expect([lab.get().shown?.scenario, lab.newest.get()?.scenario]).toEqual([LOW, { height: 3 }]);
 });
 
 it("a curve that comes into sight asks for nothing while an exact run is under way or nothing is simulated", async () => {

@@ -82,6 +82,7 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
   };
   let answeredScenario: Scenario | null = null;
   const isNewest = () => store.get().drag === answeredScenario;
+  /** Until an answer is read, also of requests beside: what is overtaken gets none. */
   let isReadNext = true;
   const show = () =>
     patch({
@@ -106,10 +107,6 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
       const { group, signals } = form();
       const { strategies, stale } = store.get();
       const isRead = isReadNext || stale;
-      if (isRead) {
-        isReadNext = false;
-        reading.start();
-      }
       const body = {
         scenario: withoutGone(group, scenario),
         strategies: simulated(strategies),
@@ -124,8 +121,11 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
       else grace.start();
       if (store.get().drag === null) return;
       answered.set(withRecorded(fromLive(answer, performance.now() - startedAt), store.get().latestResult));
-      if (isRead) show();
-      else readRest();
+      if (isRead && (isReadNext || store.get().stale)) {
+        isReadNext = false;
+        reading.start();
+        show();
+      } else readRest();
     },
     onError: (error) => {
       // While dragging, an overloaded or silent server only means no new curves; the release asks again.
