@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 import orjson
-from sqlalchemy import Column, ColumnElement, Connection, LargeBinary, Row, String, Table, bindparam, select, update
+from sqlalchemy import Column, Connection, LargeBinary, Row, String, Table, select, update
 
 from backend.errors import DamagedError
 
@@ -18,14 +18,15 @@ UNCHECKED = "unchecked"
 LENGTH = 16  # hexadecimal digits: 64 bits, which chance does not meet
 
 
-def checksum_column(*covered: str, later: str | None = None) -> Column[str]:
+def checksum_column(*covered: str, if_present: str | None = None) -> Column[str]:
     """A table's column `checksum`, filled when a row is inserted.
 
     Args:
         covered: Names of the columns that it covers.
-        later: One more, where that holds a text; rows of before it was covered have a checksum of the others alone.
+        if_present: One more, covered in rows where it holds a text; older rows have a checksum of the others alone.
     """
-    info = {"covered": (*covered, *[later] * (later is not None)), "later": later}
+    names = covered if if_present is None else (*covered, if_present)
+    info = {"covered": names, "if_present": if_present}
 
     def of_inserted(context: Any) -> str:
         return _checksum(info, context.get_current_parameters())
@@ -50,30 +51,14 @@ def update_row(connection: Connection, table: Table, key: str, values: Mapping[s
     if values.keys() & set(covered(table)):
         row = connection.execute(select(table).where(column == key).with_for_update(key_share=True)).one()
         check(table, row, "row")
-        if row.checksum != UNCHECKED:
-            changed["checksum"] = _checksum(table.c.checksum.info, {**row._mapping, **values})
+        changed["checksum"] = changed_checksum(table, row, values)
     if changed:
         connection.execute(update(table).where(column == key).values(**changed))
 
 
-def update_rows(connection: Connection, table: Table, of: ColumnElement[bool], values: Mapping[str, Any]) -> int:
-    """Change values of rows, and with them the checksums of those that are intact; how many there are.
-
-    Args:
-        connection: In a transaction that keeps others from changing them.
-        table: Whose rows.
-        of: Which of them.
-        values: By column, the same for all.
-    """
-    new = []
-    for row in connection.execute(select(table).where(of)).all():
-        changed = {**row._mapping, **values}
-        checksum = _checksum(table.c.checksum.info, changed) if is_intact(table, row) else row.checksum
-        new.append({f"its_{column.name}": changed[column.name] for column in table.primary_key} | {"new": checksum})
-    if new:
-        its_key = (column == bindparam(f"its_{column.name}") for column in table.primary_key)
-        connection.execute(update(table).where(*its_key).values(**values, checksum=bindparam("new")), new)
-    return len(new)
+def changed_checksum(table: Table, row: Row[Any], values: Mapping[str, Any]) -> str:
+    """The checksum of an intact row once it has these values; `UNCHECKED` stays."""
+    return UNCHECKED if row.checksum == UNCHECKED else _checksum(table.c.checksum.info, {**row._mapping, **values})
 
 
 def is_intact(table: Table, row: Row[Any], prefix: str = "") -> bool:
@@ -91,7 +76,7 @@ def is_intact(table: Table, row: Row[Any], prefix: str = "") -> bool:
     info = table.c.checksum.info
     if stored in (UNCHECKED, _checksum(info, values)):
         return True
-    return info["later"] is not None and stored == _checksum(info, values | {info["later"]: None})
+    return info["if_present"] is not None and stored == _checksum(info, values | {info["if_present"]: None})
 
 
 def check(table: Table, row: Row[Any], what: str) -> None:
@@ -113,7 +98,7 @@ def _is_of_its_type(column: Column[Any], value: Any) -> bool:
 
 def _checksum(info: Mapping[str, Any], values: Mapping[str, Any]) -> str:
     """Of a row with these values; `info` is that of its table's column."""
-    names = (name for name in info["covered"] if name != info["later"] or values.get(name) is not None)
+    names = (name for name in info["covered"] if name != info["if_present"] or values.get(name) is not None)
     return digest_of(values[name] for name in names)
 
 

@@ -162,7 +162,7 @@ job_runs = Table(
     Column("status", String(16), nullable=False),
     Column("result_key", String(43), nullable=True),
     Column("reason", Text, nullable=True),
-    checksum_column("job_id", "position", "changes", "strategy", later="reason"),
+    checksum_column("job_id", "position", "changes", "strategy", if_present="reason"),
     Index("ix_job_runs_result_key_job_id", "result_key", "job_id"),
 )
 

@@ -5,7 +5,7 @@ from typing import Any
 
 from sqlalchemy import Connection, Row, Select, bindparam, select, update
 
-from backend.db.checksum import check, is_intact, update_rows
+from backend.db.checksum import changed_checksum, check, is_intact
 from backend.db.database import RowStore
 from backend.db.tables import EXPIRED, job_runs, jobs, results
 from backend.errors import DamagedError
@@ -79,7 +79,10 @@ class JobRunStore(RowStore):
         self._database.changed(job_id)
 
     def rows(self, job_id: str, after: int, limit: int) -> list[JobRow]:
-        """The next runs behind position `after`, each with its result if it has one; where that is damaged it waits."""
+        """The next runs behind position `after`, each with its result if it has one; where that is damaged it waits.
+
+        The reason of a cancelled run is that of its job.
+        """
         of_result = [each.label(f"{RESULT}{each.name}") for each in results.c]
         settled = (job_runs.c.result_key == results.c.key) & job_runs.c.status.in_(("ok", "failed"))
         query = (
@@ -89,25 +92,33 @@ class JobRunStore(RowStore):
             .order_by(job_runs.c.position)
             .limit(limit)
         )
+        failed_job = select(jobs).where(jobs.c.id == job_id, jobs.c.state == "failed")
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
+            cancelled = any(row.status == "cancelled" for row in rows)
+            job = connection.execute(failed_job).one_or_none() if cancelled else None
+        if job is not None:
+            check(jobs, job, "batch")
         for row in rows:
             check(job_runs, row, "batch")
         with_result = [row for row in rows if row.result_key is not None]
         if damaged := {row.result_key for row in with_result if not is_intact_result(row, RESULT)}:
             drop_results(self._database, damaged)
-        return [_row(row, lost=row.result_key in damaged) for row in rows]
+        cancelled_for = None if job is None else job.reason
+        return [_row(row, cancelled_for, lost=row.result_key in damaged) for row in rows]
 
 
-def _row(row: Row[Any], *, lost: bool) -> JobRow:
+def _row(row: Row[Any], cancelled_for: str | None, *, lost: bool) -> JobRow:
     if row.status == "ok" and row.result_status is None:
         raise DamagedError("batch")  # its key is of no result
+    # A run that ended after its job was resumed can have the reason of before, stored by an older version.
+    of_run = row.reason if row.status == "failed" and row.result_status != "failed" else None
     return JobRow(
         position=row.position,
         changes=row.changes,
         strategy=row.strategy,
         status="waiting" if lost else row.status,
-        reason=row.reason,
+        reason=cancelled_for if row.status == "cancelled" else of_run,
         core_version=None if lost else row.result_core_version,
         summary=None if lost else row.result_summary,
         compute_ms=None if lost else row.result_compute_ms,
@@ -140,12 +151,18 @@ def _settle(connection: Connection, job_id: str, statuses: Mapping[str, str]) ->
 
 def _fail(connection: Connection, job_id: str, reasons: Mapping[int, str]) -> int:
     """Set waiting runs (by position) to failed, with the reason; returns how many did wait."""
-    failed = 0
-    for position, reason in reasons.items():
-        at = waiting_runs(job_id) & (job_runs.c.position == position)
-        failed += update_rows(connection, job_runs, at, {"status": "failed", "reason": reason})
-    _count(connection, job_id, done=0, failed=failed)
-    return failed
+    changed = []
+    for row in connection.execute(select(job_runs).where(waiting_runs(job_id), job_runs.c.position.in_(reasons))):
+        reason = reasons[row.position]
+        intact = is_intact(job_runs, row)  # otherwise it stays damaged
+        checksum = changed_checksum(job_runs, row, {"reason": reason}) if intact else row.checksum
+        changed.append({"at": row.position, "reason": reason, "checksum": checksum})
+    if changed:
+        each = update(job_runs).where(job_runs.c.job_id == job_id, job_runs.c.position == bindparam("at"))
+        new = each.values(status="failed", reason=bindparam("reason"), checksum=bindparam("checksum"))
+        connection.execute(new, changed)
+    _count(connection, job_id, done=0, failed=len(changed))
+    return len(changed)
 
 
 def _count(connection: Connection, job_id: str, *, done: int, failed: int) -> None:

@@ -13,7 +13,7 @@ from typing import Any
 from sqlalchemy import ColumnElement, Connection, Row, Select, and_, case, delete, func, insert, or_, select, update
 from sqlalchemy.exc import IntegrityError
 
-from backend.db.checksum import UNCHECKED, check, update_row, update_rows
+from backend.db.checksum import UNCHECKED, check, update_row
 from backend.db.clock import UNSTORED, Now
 from backend.db.database import RowStore, insert_new
 from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, trials
@@ -157,10 +157,10 @@ class JobStore(RowStore):
         self.advance(job, event="state", state="failed", reason=reason)
 
     def give_up(self, job_id: str, reason: str) -> None:
-        """Set a sweep to failed, with its waiting runs, whose results can never be stored."""
+        """Set a sweep to failed and cancel its waiting runs, whose results can never be stored."""
         with self._database.writing() as connection:
             if change_state(connection, job_id, UNFINISHED, "failed", reason=reason):
-                update_rows(connection, job_runs, waiting_runs(job_id), {"status": "cancelled", "reason": reason})
+                connection.execute(update(job_runs).where(waiting_runs(job_id)).values(status="cancelled"))
         self._database.changed(job_id)
 
     def cancel(self, job_id: str) -> None:

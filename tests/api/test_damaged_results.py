@@ -167,20 +167,22 @@ def test_what_a_replica_of_0_3_0_writes_on_postgresql_counts_as_intact(
 
 
 def test_the_reason_of_a_run_is_checked(store: Store) -> None:
-    """Of one that failed as it was planned, one in its process, and one with the rest of its batch."""
+    """Of one that failed as it was planned, one in its process, and one that has the reason of its batch."""
     planned, *others = rows()
     store.jobs.create(BATCH, [planned._replace(key="", reason="No such car"), *others])
     store.job_runs.save(BATCH.id, computed("key-1"), "1", {2: "It took too long"})
     store.jobs.give_up(BATCH.id, "The disk is full")
-    assert [row.reason for row in store.job_runs.rows(BATCH.id, -1, 4)][::2] == ["No such car", "It took too long"]
+    reasons = [row.reason for row in store.job_runs.rows(BATCH.id, -1, 4)]
+    assert reasons == ["No such car", None, "It took too long", "The disk is full"]
     assert not verify(store).damaged["job_runs"]
-    for position in range(4):
-        with store.writing() as connection:
-            connection.execute(update(job_runs).where(job_runs.c.position == position).values(reason="Bad luck"))
+    with store.writing() as connection:
+        connection.execute(update(job_runs).values(reason="Bad luck"))
+        connection.execute(update(jobs).values(reason="Bad luck"))
     # That of a run that had none is as a version before wrote it, whose checksum did not cover it.
-    assert verify(store).damaged["job_runs"] == [f"{BATCH.id} {position}" for position in (0, 2, 3)]
-    with pytest.raises(DamagedError):
-        store.job_runs.rows(BATCH.id, -1, 1)
+    assert verify(store).damaged["job_runs"] == [f"{BATCH.id} {position}" for position in (0, 2)]
+    for position in (0, 3):
+        with pytest.raises(DamagedError):
+            store.job_runs.rows(BATCH.id, position - 1, 1)
 
 
 def test_jobs_count_what_they_have_lost_and_a_cancelled_one_waits_for_nothing(store: Store) -> None:

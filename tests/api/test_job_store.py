@@ -7,11 +7,15 @@ from typing import Any
 
 import orjson
 import pytest
+from sqlalchemy import update
 
-from backend.db.tables import links
+from backend.batches.rendering import as_json, columns
+from backend.db.checksum import UNCHECKED
+from backend.db.tables import job_runs, links
 from backend.job_run import JobRun
 from backend.outcome import Outcome
 from backend.store import Store, StoredJob, StoredLink, jobs
+from backend.store.verify import verify
 from tests.there import there
 
 RUNS = 12
@@ -160,6 +164,24 @@ def test_a_cancelled_one_gives_its_key_away_and_goes_on_when_it_is_resumed(store
     now = there(store.jobs.load(batch.id))
     assert (now.state, now.done, now.finished_at) == ("queued", 3, None)
     assert len(store.job_runs.waiting(batch.id, -1, RUNS)[1]) == RUNS - 3
+
+
+def test_a_run_that_ends_after_its_batch_was_given_up_and_resumed_has_no_reason_of_before(
+    store: Store, batch: StoredJob
+) -> None:
+    store.jobs.give_up(batch.id, "The disk is full")
+    with store.writing() as connection:  # as 0.3.0 left them
+        connection.execute(update(job_runs).values(reason="The disk is full", checksum=UNCHECKED))
+    store.jobs.resume(batch.id)
+    results = [*computed("key-1"), *computed("key-2", status="failed")]
+    store.job_runs.save(batch.id, results, "1", {3: "It took too long"})
+    runs = store.job_runs.rows(batch.id, -1, 5)
+    assert [run.status for run in runs] == ["waiting", "ok", "failed", "failed", "waiting"]
+    assert columns(runs, [], [])["reason"] == [None, None, "too steep", "It took too long", None]
+    assert as_json(runs).count(b'"reason":') == 2
+    assert verify(store).unchecked["job_runs"] == RUNS
+    store.jobs.cancel(batch.id)
+    assert store.job_runs.rows(batch.id, -1, 1)[0].reason is None
 
 
 def test_pages_are_the_newest_first_and_hold_each_once(store: Store) -> None:
