@@ -14,6 +14,7 @@ PYTEST ?= --numprocesses $(PROCESSES) --dist loadfile --no-loadscope-reorder --d
 INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --no-compile --require-hashes -r
 unexport PYTHONDONTWRITEBYTECODE
 MAKEFLAGS += --jobs=3  # packages and page side by side; the tests beside both halves of the checks, which give way to them
+.DELETE_ON_ERROR:  # a half-made page or manual is made again
 
 .PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust figures manual setup development compiler lock pin dist clean
 
@@ -146,9 +147,8 @@ frontend/dist/index.html: frontend/node_modules/.installed $(shell find frontend
 build/manual/index.html: zensical.toml $(VENV)/.runtime $(shell find docs examples -type f)
 	$(BIN)/zensical build --clean --strict
 	rm -f build/manual/404.html build/manual/sitemap.xml
-	rm -rf build/tracked && mkdir build/tracked
-	(git ls-files --error-unmatch examples 2>/dev/null || find examples -type f) | tar cf - -T - | tar xf - -C build/tracked
-	$(BIN)/python -m zipfile -c build/manual/examples.zip build/tracked/examples
+	(git ls-files --error-unmatch examples 2>/dev/null || find examples -type f) | $(BIN)/python -c 'import sys, zipfile; \
+		file = zipfile.ZipFile("$(@D)/examples.zip", "w"); [file.write(each.rstrip("\n")) for each in sys.stdin]; file.close()'
 	touch $@
 
 COMPILE_LOCK := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header \
