@@ -205,6 +205,16 @@ def test_figures_are_drawn_parts_sorted_and_the_scenario_opens_in_the_lab(dashbo
     ids = [panel.get_attribute("id") for panel in panels.all()]
     assert ids == [f"figure-{number}" for number in FIGURES]
     assert paper.locator("figure .scatterlayer .trace").count() == 0
+    window = paper.viewport_size
+    assert window is not None
+    paper.emulate_media(media="print")
+    paper.set_viewport_size({"width": 718, "height": 1000})  # A4 within its margins
+    left, right = (panel.bounding_box() for panel in panels.all()[:2])
+    assert left is not None
+    assert right is not None
+    assert left["y"] == right["y"]
+    paper.emulate_media(media="null")
+    paper.set_viewport_size(window)
     if THOROUGH:
         dashboard.expect_accessible()
     expect(paper.get_by_test_id("sentences").locator("li").first).to_contain_text("lower speed")

@@ -38,11 +38,8 @@ interface ColumnsProps extends BoxProps, Omit<ComponentProps<"div">, keyof BoxPr
 }
 
 /** Cards or fields side by side, as many as have room. */
-export const Columns = ({ least = "27rem", gap = "0.7rem", ...rest }: ColumnsProps) => (
-  <Box
-    style={{ display: "grid", gap, gridTemplateColumns: `repeat(auto-fill, minmax(min(100%, ${least}), 1fr))` }}
-    {...rest}
-  />
+export const Columns = ({ least = "27rem", gap = "0.7rem", className = "", ...rest }: ColumnsProps) => (
+  <Box className={`${ui.columns} ${className}`} style={{ gap }} __vars={{ "--least": least }} {...rest} />
 );
 
 /** A fault in one card leaves the others. */

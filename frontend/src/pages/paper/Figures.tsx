@@ -48,7 +48,7 @@ export function Figures({ choices }: { readonly choices: Choices }) {
         ]}
         onChange={setRange}
       />
-      <Columns>
+      <Columns className={ui.pairs ?? ""}>
         {data.map((figure) => (
           <Panel key={figure.number} figure={figure} scheme={scheme} bumpOnly={range === "bump"} />
         ))}
