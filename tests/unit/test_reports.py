@@ -69,7 +69,14 @@ def test_changes_have_a_sign_unless_they_are_nothing(change: float, shown: str) 
 
 @pytest.mark.parametrize(
     ("change", "half", "shown"),
-    [(-43.7, 2.0, "−44 ± 2\u2009%"), (0.1, 0.04, "+0.1\u2009%"), (0.0, 0.0, "0.0\u2009%"), (-0.2, 3.0, "0 ± 3\u2009%")],
+    [
+        (-43.7, 2.0, "−44 ± 2\u2009%"),
+        (0.1, 0.04, "+0.1\u2009%"),
+        (0.0, 0.0, "0.0\u2009%"),
+        (-0.2, 3.0, "0 ± 3\u2009%"),
+        (12e3, 50.0, "> +9999 ± 50\u2009%"),
+        (-12e3, 50.0, "< −9999 ± 50\u2009%"),
+    ],
 )
 def test_an_interval_stands_where_it_is_not_nothing(change: float, half: float, shown: str) -> None:
     assert numbers.percent(change, half) == shown

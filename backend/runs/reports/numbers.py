@@ -56,15 +56,10 @@ def percent(change: float, half: float = 0.0) -> str:
         return NO_VALUE
     size, sign = abs(change), "−" if change < 0 else "+"
     decimals = 1 if size < 99.95 and half < 0.95 else 0
-    uncertainty = f"{half:.{decimals}f}"
-    if float(uncertainty) > 0:
-        text = f"{size:.{decimals}f}"
-        return f"{sign if float(text) else ''}{text} ± {uncertainty}{_THIN}%"
-    if size < SAME:
-        return f"0.0{_THIN}%"
-    if size >= 9999.5:
-        return f"{'<' if change < 0 else '>'} {sign}9999{_THIN}%"
-    return f"{sign}{size:.{decimals}f}{_THIN}%"
+    digits, uncertainty = f"{min(size, 9999):.{decimals}f}", f"{half:.{decimals}f}"
+    beyond = "" if size < 9999.5 else "< " if change < 0 else "> "
+    interval = f" ± {uncertainty}" if float(uncertainty) else ""
+    return f"{beyond}{sign if float(digits) else ''}{digits}{interval}{_THIN}%"
 
 
 def printed(change: float) -> str:

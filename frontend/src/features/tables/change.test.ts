@@ -54,6 +54,10 @@ describe("a change over several roads", () => {
       "+9999\u2009%",
       "> +9999\u2009%",
     ]);
+    expect([-12e3, 12e3].map((percent) => formatPercent(percent, 50))).toEqual([
+      "< −9999\u2009±\u200950\u2009%",
+      "> +9999\u2009±\u200950\u2009%",
+    ]);
     expect(formatPercent(0.1, 0.04)).toBe("+0.1\u2009%");
     expect(formatPercent(0, 3)).toBe("0\u2009±\u20093\u2009%");
     expect(formatPercent(-93.11, 0.42)).toBe("−93.1\u2009±\u20090.4\u2009%");
