@@ -128,7 +128,7 @@ async function twoRuns() {
   return opened;
 }
 
-describe("an edit while a run that was followed to still loads", () => {
+describe("an edit while the run of a link that was followed is loading", () => {
   it("leaves the address with what is shown, when strategies are switched", async () => {
     const { lab, follow, entries, respondToAll } = await twoRuns();
     follow("/r/h7");
