@@ -32,7 +32,7 @@ export function Spread({ summary, strategies, figures, opening }: Props) {
       tools={<SegmentedControl aria-label="Figures" value={shownGroup} data={groups} onChange={setShownGroup} />}
     >
       <Key />
-      <Columns gap="0.4rem 2rem" p="0.3rem 1rem 0.8rem">
+      <Columns className={ui.whole ?? ""} gap="0.4rem 2rem" p="0.3rem 1rem 0.8rem">
         {shown.map((figure) => (
           <Intervals key={figure.key} {...{ summary, strategies, figure }} />
         ))}
