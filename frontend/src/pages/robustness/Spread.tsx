@@ -13,6 +13,7 @@ import type { Opening } from "../../features/sweep/useOpenRun";
 import styles from "./bars.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Card, Columns } from "../../ui/Card";
+import columns from "../../ui/columns.module.css";
 import ui from "../../ui/ui.module.css";
 import { stepAbove } from "../../lib/steps";
 import { ChartButton } from "../../plots/FigureButton";
@@ -32,7 +33,7 @@ export function Spread({ summary, strategies, figures, opening }: Props) {
       tools={<SegmentedControl aria-label="Figures" value={shownGroup} data={groups} onChange={setShownGroup} />}
     >
       <Key />
-      <Columns className={ui.whole ?? ""} gap="0.4rem 2rem" p="0.3rem 1rem 0.8rem">
+      <Columns className={columns.whole ?? ""} gap="0.4rem 2rem" p="0.3rem 1rem 0.8rem">
         {shown.map((figure) => (
           <Intervals key={figure.key} {...{ summary, strategies, figure }} />
         ))}
