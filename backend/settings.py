@@ -121,7 +121,7 @@ class Settings(BaseModel):
         ge=64 * MEBIBYTE,
         description="Answers too long for memory, in files in data_dir until they are read [bytes]; then 429 or 503.",
     )
-    series_cache_bytes: int = Field(256 * MEBIBYTE, ge=0, description="Memory for time histories.")
+    series_cache_bytes: int = Field(256 * MEBIBYTE, ge=0, description="Memory for results and their time histories.")
     ecu_dir: NewFolder | None = Field(
         None, description="Where the ECU's program is built and kept; without one below the system's temporary folder."
     )

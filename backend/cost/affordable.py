@@ -1,8 +1,6 @@
 """`simulate` as the service does it: only what is affordable, with room made for what is large."""
 
-import ctypes
-from contextlib import suppress
-
+from backend.compute.processes import trim_memory
 from backend.cost.estimate import check_affordable
 from backend.own import isolated
 from sim_core.caching import SHARED
@@ -37,5 +35,4 @@ def _simulate(scenario: Scenario, name: str) -> StrategyResult:
 def make_room() -> None:
     """Empty the caches, and have glibc give back what it keeps."""
     SHARED.clear()
-    with suppress(OSError, AttributeError):  # another C library
-        ctypes.CDLL(None).malloc_trim(0)
+    trim_memory()
