@@ -41,7 +41,7 @@ check: check-python check-frontend ## style, types and import rules
 check-python: development
 	nice -n 19 $(BIN)/ruff check .
 	nice -n 19 $(BIN)/ruff format --check .
-	nice -n 19 $(BIN)/mypy --num-workers 2
+	nice -n 19 $(BIN)/mypy  # without its own workers: one that starts late on a busy machine ends the check
 	nice -n 19 $(BIN)/lint-imports
 	cd client && nice -n 19 ../$(BIN)/lint-imports
 
