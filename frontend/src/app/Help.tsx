@@ -3,7 +3,7 @@
 import { Button, Group, Kbd, Modal } from "@mantine/core";
 import { ACTION_IDS, ACTIONS, isOffered, useActionButton } from "../lab/actions";
 import { DataTable } from "../ui/DataTable";
-import { IconExternalLink } from "../ui/icons";
+import { Icon } from "../ui/icons";
 import { MANUAL } from "../ui/manual";
 import { keyNames } from "./keys";
 
@@ -33,7 +33,7 @@ export function Help({ onClose }: { readonly onClose: () => void }) {
             {tour.label}
           </Button>
         )}
-        <Button component="a" href={MANUAL} target="_blank" rightSection={<IconExternalLink size={14} />}>
+        <Button component="a" href={MANUAL} target="_blank" rightSection={<Icon name="ExternalLink" size={14} />}>
           Read the manual
         </Button>
       </Group>

@@ -25,7 +25,7 @@ import { useSelector } from "@tanstack/react-store";
 import { LazyPart } from "../ui/LazyPart";
 import { firstCurves } from "../lib/firstCurves";
 import { useQueryClient } from "@tanstack/react-query";
-import { IconPlugConnectedX } from "../ui/icons";
+import { Icon } from "../ui/icons";
 import { ApiProblem, isTransient, messageOf } from "../api/problem";
 
 /** Not by an address with a fragment: the address belongs to what is shown. */
@@ -216,7 +216,7 @@ function Reconnecting({ trouble, requestedWait }: Props) {
 
   return (
     <div className={ui.notice} data-kind="trouble" data-testid="connection" role="status">
-      <IconPlugConnectedX size={18} stroke={1.7} aria-hidden />
+      <Icon name="PlugConnectedX" size={18} stroke={1.7} />
       <Text>
         {MESSAGE[readiness]} <span aria-hidden>Next try in {wait} s.</span>
       </Text>

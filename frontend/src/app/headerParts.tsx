@@ -7,7 +7,7 @@ import { ask, query } from "../api/http";
 import { useActionButton } from "../lab/actions";
 import { Hints } from "../ui/Hints";
 import { IconButton } from "../ui/IconButton";
-import { IconChevronDown, IconHelp, IconLogout, IconMoon, IconSun } from "../ui/icons";
+import { Icon } from "../ui/icons";
 import classes from "./nav.module.css";
 
 interface PagesProps {
@@ -27,7 +27,7 @@ export function PagesMenu({ entries, section }: PagesProps) {
           color="gray"
           className={classes.menu ?? ""}
           aria-label={`Pages, now ${current?.label ?? "another"}`}
-          rightSection={<IconChevronDown size={14} aria-hidden />}
+          rightSection={<Icon name="ChevronDown" size={14} />}
         >
           {current?.label ?? "Pages"}
         </Button>
@@ -66,11 +66,11 @@ export function HeaderEnd() {
     <>
       <Box component="span" visibleFrom="sm">
         <IconButton {...useActionButton("help")}>
-          <IconHelp size={18} stroke={1.7} />
+          <Icon name="Help" size={18} stroke={1.7} />
         </IconButton>
       </Box>
       <IconButton label={`Use ${next} colours`} onClick={() => setColorScheme(next)}>
-        {isDark ? <IconSun size={18} stroke={1.7} /> : <IconMoon size={18} stroke={1.7} />}
+        {isDark ? <Icon name="Sun" size={18} stroke={1.7} /> : <Icon name="Moon" size={18} stroke={1.7} />}
       </IconButton>
       {name !== null && (
         <IconButton
@@ -78,7 +78,7 @@ export function HeaderEnd() {
           disabled={logOut.isPending}
           onClick={() => logOut.mutate()}
         >
-          <IconLogout size={18} stroke={1.7} />
+          <Icon name="Logout" size={18} stroke={1.7} />
         </IconButton>
       )}
       <Hints />

@@ -4,7 +4,7 @@ import { ActionIcon } from "@mantine/core";
 import { useDisclosure } from "@mantine/hooks";
 import { lazy, useMemo, useState, type ComponentProps, type RefObject } from "react";
 import type { FigureTemplate } from "../api/types";
-import { IconDownload, IconMaximize } from "../ui/icons";
+import { Icon } from "../ui/icons";
 import { LazyPart } from "../ui/LazyPart";
 import { requestPlotly } from "./plotly";
 import type { FigureSource } from "./saved";
@@ -35,7 +35,7 @@ export function EnlargeButton({ template, curves }: EnlargeProps) {
   const button = useMemo(
     () => (
       <FigureIcon aria-label={`Enlarge figure: ${title}`} onPointerEnter={requestPlotly} onClick={open}>
-        <IconMaximize size={15} />
+        <Icon name="Maximize" size={15} />
       </FigureIcon>
     ),
     [title, open],
@@ -67,7 +67,7 @@ export function FigureButton({ source }: { readonly source: FigureSource }) {
           setOpened(!opened);
         }}
       >
-        <IconDownload size={15} />
+        <Icon name="Download" size={15} />
       </FigureIcon>
     ),
     [title, opened],

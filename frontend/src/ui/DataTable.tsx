@@ -2,7 +2,7 @@
 
 import { UnstyledButton } from "@mantine/core";
 import { useState, type HTMLAttributes, type ReactNode } from "react";
-import { IconArrowsSort, IconSortAscending, IconSortDescending } from "./icons";
+import { Icon } from "./icons";
 import { inOrder, type Order } from "../lib/order";
 import classes from "./table.module.css";
 import ui from "./ui.module.css";
@@ -196,14 +196,14 @@ function Head<Row>({
     );
   }
   const sorted = order?.column === key ? (order.descending ? "descending" : "ascending") : "none";
-  const Icon = { none: IconArrowsSort, ascending: IconSortAscending, descending: IconSortDescending }[sorted];
+  const icon = ({ none: "ArrowsSort", ascending: "SortAscending", descending: "SortDescending" } as const)[sorted];
   return (
     <th scope="col" aria-sort={sorted} {...look}>
       <UnstyledButton className={classes.sort ?? ""} onClick={() => onSort(key)}>
         <span>
           {head} {!hasButton && under}
         </span>
-        <Icon size={13} stroke={1.8} aria-hidden />
+        <Icon name={icon} size={13} stroke={1.8} />
       </UnstyledButton>{" "}
       {hasButton && under}
     </th>

@@ -14,7 +14,7 @@ import {
 import { type ReactNode, useState } from "react";
 import { prettyUnit } from "../units/format";
 import ui from "./ui.module.css";
-import { IconX } from "./icons";
+import { Icon } from "./icons";
 import { Fault } from "./Messages";
 
 interface EntryProps extends Omit<TextInputProps, "onChange" | "value" | "className"> {
@@ -91,7 +91,7 @@ export function EntryRow({ title, name = title, removal = title, beside, error, 
             aria-label={`Remove ${removal}`}
             onClick={onRemove}
           >
-            <IconX size={15} />
+            <Icon name="X" size={15} />
           </ActionIcon>
         )}
       </Group>

@@ -2,7 +2,7 @@
 
 import { ActionIcon, Button, Group, Menu, TextInput } from "@mantine/core";
 import { useEffect, useRef, useState, type ReactNode, type Ref, type SyntheticEvent } from "react";
-import { IconDots } from "./icons";
+import { Icon } from "./icons";
 
 /** What a form does in place of leaving the page. */
 export const submits = (act: () => void) => (event: SyntheticEvent) => {
@@ -32,7 +32,7 @@ export function MoreMenu({ label, children, ...button }: MenuProps) {
           aria-label={label}
           {...button}
         >
-          <IconDots size={16} />
+          <Icon name="Dots" size={16} />
         </ActionIcon>
       </Menu.Target>
       <Menu.Dropdown>{children}</Menu.Dropdown>

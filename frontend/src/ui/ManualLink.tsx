@@ -2,7 +2,7 @@
 
 import { ActionIcon } from "@mantine/core";
 import { memo } from "react";
-import { IconHelp } from "./icons";
+import { Icon } from "./icons";
 import { placeOf } from "./manual";
 import ui from "./ui.module.css";
 
@@ -27,7 +27,7 @@ export const ManualLink = memo(function ManualLink({ name, label, text = "" }: P
       data-unprinted
       aria-label={`About ${label}, in the manual${text === "" ? "" : `: ${text}`}`}
     >
-      <IconHelp size={14} stroke={1.6} />
+      <Icon name="Help" size={14} stroke={1.6} />
     </ActionIcon>
   );
 });

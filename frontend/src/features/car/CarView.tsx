@@ -3,7 +3,7 @@
 import { ActionIcon, Button, Group, Popover, Stack } from "@mantine/core";
 import { useElementSize, useMediaQuery } from "@mantine/hooks";
 import { useEffect, useEffectEvent, useState, type ReactNode } from "react";
-import { IconPlayerPauseFilled, IconPlayerPlayFilled, IconAdjustmentsHorizontal } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import type { StrategyId } from "../../api/types";
 import { axisUnit } from "../../plots/figure";
 import { runAction, useAction, useActionButton } from "../../lab/actions";
@@ -78,7 +78,7 @@ export function CarView({ resultView }: { readonly resultView: ResultView }) {
           aria-label={playing ? "Pause" : "Play"}
           onClick={() => runAction("play")}
         >
-          {playing ? <IconPlayerPauseFilled size={15} /> : <IconPlayerPlayFilled size={15} />}
+          {playing ? <Icon name="PlayerPauseFilled" size={15} /> : <Icon name="PlayerPlayFilled" size={15} />}
         </ActionIcon>
         <Scrubber resultView={resultView} />
         <Options>
@@ -171,7 +171,7 @@ export function Options({ children }: { readonly children: ReactNode }) {
     <Popover position="bottom-end" withinPortal trapFocus>
       <Popover.Target>
         <ActionIcon variant="default" size={30} aria-label="Options of the moving car">
-          <IconAdjustmentsHorizontal size={15} />
+          <Icon name="AdjustmentsHorizontal" size={15} />
         </ActionIcon>
       </Popover.Target>
       <Popover.Dropdown role="dialog" aria-label="Options of the moving car">

@@ -7,7 +7,7 @@ import { useLabContext, useLab, useEdit, useFromScenario, useReadOnly } from "..
 import { useForm } from "../../server/useCatalogues";
 import type { ResultView } from "../../lab/resultView";
 import classes from "./compare.module.css";
-import { IconPin, IconChevronDown } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { defaultName, MOST_PINS } from "../../lab/pins";
 import { useSelector } from "@tanstack/react-store";
 import {
@@ -143,7 +143,7 @@ function PinButton() {
   return (
     <Button
       data-hint={why}
-      leftSection={<IconPin size={15} />}
+      leftSection={<Icon name="Pin" size={15} />}
       disabled={run === null || isPinned || isFull || !form}
       onClick={pin}
     >
@@ -262,7 +262,7 @@ function PinMenu({ pin, index }: Props) {
           title={pin.missing === null ? pin.name : `${pin.name}: ${pin.missing}`}
         >
           <PinName pin={pin} index={index} />
-          <IconChevronDown size={13} aria-hidden />
+          <Icon name="ChevronDown" size={13} />
         </button>
       </Menu.Target>
       <Menu.Dropdown>

@@ -7,7 +7,7 @@ import { EditableCurves } from "../../plots/EditableCurves";
 import { valueAt } from "../../scenario/differences";
 import { child, numberAt, setAt } from "../../scenario/path";
 import type { DataField } from "../../scenario/schema";
-import { IconX } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { formatExact } from "../../units/format";
 import classes from "./editor.module.css";
 import { FieldFrame } from "./FieldFrame";
@@ -98,7 +98,7 @@ export function DamperCurveRow({ field }: { readonly field: DataField }) {
                   aria-label={`Remove point ${index + 1}`}
                   onClick={() => commit(points.toSpliced(index, 1))}
                 >
-                  <IconX size={15} />
+                  <Icon name="X" size={15} />
                 </ActionIcon>
               </Fragment>
             ))}

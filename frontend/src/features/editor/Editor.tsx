@@ -11,7 +11,7 @@ import { Members } from "./Members";
 import { OWN } from "../../scenario/ownOptions";
 import type { Pointer } from "../../scenario/path";
 import { type Group, findMember, optionTitle, type Member } from "../../scenario/schema";
-import { IconSearch } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { Fault } from "../../ui/Messages";
 import { prettyUnit } from "../../units/format";
 import { BumpDrawing } from "./BumpDrawing";
@@ -84,7 +84,7 @@ export function Editor({ form }: { readonly form: Group }) {
         aria-label="Find a field"
         placeholder="Find a field"
         autoComplete="off"
-        leftSection={<IconSearch size={14} />}
+        leftSection={<Icon name="Search" size={14} />}
         value={search}
         onChange={(event) => setSearch(event.currentTarget.value)}
         onKeyDown={(event) => {

@@ -2,7 +2,7 @@
 
 import { ActionIcon, Box, Group, Text } from "@mantine/core";
 import { memo, useEffect, useRef, type ReactNode, useId } from "react";
-import { IconArrowBackUp } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { ManualLink } from "../../ui/ManualLink";
 import { useEdit, useReadOnly } from "../../lab/context";
 import classes from "./editor.module.css";
@@ -89,7 +89,7 @@ export const ResetButton = memo(function ResetButton({ field, paperText, changed
       disabled={disabled}
       onClick={reset}
     >
-      <IconArrowBackUp size={15} stroke={1.8} />
+      <Icon name="ArrowBackUp" size={15} stroke={1.8} />
     </ActionIcon>
   );
 });

@@ -1,17 +1,7 @@
 /** Data, pictures and commands of what is shown. */
 
 import { Button, Menu, Modal, Text, Textarea } from "@mantine/core";
-import {
-  IconBrandPython,
-  IconCheck,
-  IconCpu,
-  IconDownload,
-  IconFileText,
-  IconPhoto,
-  IconPlugConnected,
-  IconTerminal2,
-  IconWorldUpload,
-} from "../../ui/icons";
+import { Icon, type IconName } from "../../ui/icons";
 import { useMutation, useQueryClient } from "@tanstack/react-query";
 import { useState } from "react";
 import { address } from "../../api/http";
@@ -106,7 +96,7 @@ export function ExportMenu() {
         <Menu.Target>
           <Button
             aria-label="Export"
-            leftSection={copied ? <IconCheck size={15} /> : <IconDownload size={15} />}
+            leftSection={copied ? <Icon name="Check" size={15} /> : <Icon name="Download" size={15} />}
             classNames={compact}
             disabled={!isShown}
             loading={saving || picture.isPending}
@@ -142,17 +132,17 @@ export function ExportMenu() {
               </div>
             ))}
           <Menu.Label>Everything in one file</Menu.Label>
-          <ActionItem id="report" icon={IconFileText} />
+          <ActionItem id="report" icon="FileText" />
           <Menu.Label>Plots as shown</Menu.Label>
-          <ActionItem id="png" icon={IconPhoto} />
-          <ActionItem id="svg" icon={IconPhoto} />
+          <ActionItem id="png" icon="Photo" />
+          <ActionItem id="svg" icon="Photo" />
           <Menu.Label>As a program</Menu.Label>
-          <ActionItem id="controller" icon={IconCpu} />
-          <ActionItem id="fmu" icon={IconPlugConnected} />
+          <ActionItem id="controller" icon="Cpu" />
+          <ActionItem id="fmu" icon="PlugConnected" />
           <Menu.Label>This run again, elsewhere</Menu.Label>
-          <ActionItem id="python" icon={IconBrandPython} />
-          <ActionItem id="command" icon={IconTerminal2} />
-          <ActionItem id="curl" icon={IconWorldUpload} />
+          <ActionItem id="python" icon="BrandPython" />
+          <ActionItem id="command" icon="Terminal2" />
+          <ActionItem id="curl" icon="WorldUpload" />
         </Menu.Dropdown>
       </Menu>
       {fmu && <FmuDialog {...{ strategies, scenario }} first={selected[0]} onClose={() => setFmu(false)} />}
@@ -181,10 +171,10 @@ export function ExportMenu() {
   );
 }
 
-function ActionItem({ id, icon: Icon }: { readonly id: ActionId; readonly icon: typeof IconPhoto }) {
+function ActionItem({ id, icon }: { readonly id: ActionId; readonly icon: IconName }) {
   const { label, ...item } = useActionButton(id);
   return (
-    <Menu.Item leftSection={<Icon size={16} />} {...item}>
+    <Menu.Item leftSection={<Icon name={icon} size={16} />} {...item}>
       {label}
     </Menu.Item>
   );

@@ -4,7 +4,7 @@ import { Button, Menu } from "@mantine/core";
 import type { ReactNode } from "react";
 import { download } from "../../lib/download";
 import { compact } from "../../ui/compact";
-import { IconBraces, IconCpu, IconDownload, IconFileTypeCsv, IconTable } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { useController, ControllerFault } from "./useController";
 import { address } from "../../api/http";
 import type { Batch, Scenario } from "../../api/types";
@@ -30,7 +30,7 @@ export function FileMenu({ contents, files, saving = false }: Props) {
         <Button
           aria-label="Export"
           classNames={compact}
-          leftSection={<IconDownload size={15} />}
+          leftSection={<Icon name="Download" size={15} />}
           disabled={files.length === 0}
           loading={saving}
         >
@@ -50,9 +50,9 @@ export function FileMenu({ contents, files, saving = false }: Props) {
 }
 
 const FORMATS = [
-  { format: "csv", label: "CSV", icon: <IconFileTypeCsv size={16} /> },
-  { format: "parquet", label: "Parquet", icon: <IconTable size={16} /> },
-  { format: "json", label: "JSON", icon: <IconBraces size={16} /> },
+  { format: "csv", label: "CSV", icon: <Icon name="FileTypeCsv" size={16} /> },
+  { format: "parquet", label: "Parquet", icon: <Icon name="Table" size={16} /> },
+  { format: "json", label: "JSON", icon: <Icon name="Braces" size={16} /> },
 ] as const;
 
 /** A sweep's or a study's runs. */
@@ -70,7 +70,7 @@ export function ControllerFile({ scenario }: { readonly scenario: Scenario | und
   const { save, saving, ...fault } = useController();
   const file = scenario && {
     label: "Controller (C), a zip",
-    icon: <IconCpu size={16} />,
+    icon: <Icon name="Cpu" size={16} />,
     save: () => save(scenario),
   };
   return (

@@ -10,7 +10,7 @@ import { PALETTES } from "../../plots/palettes";
 import { StillSurface } from "../../plots/Surface";
 import { DataTable } from "../../ui/DataTable";
 import { Fault, Note } from "../../ui/Messages";
-import { IconCheck, IconLink } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { IconButton } from "../../ui/IconButton";
 import { SidePanel } from "../../ui/SidePanel";
 import { LineKey } from "../../ui/StrategyKey";
@@ -77,7 +77,7 @@ function CopyLink({ place }: { readonly place: () => InstantPlace | null }) {
         copy(window.location.href);
       }}
     >
-      {copied ? <IconCheck size={16} /> : <IconLink size={16} />}
+      {copied ? <Icon name="Check" size={16} /> : <Icon name="Link" size={16} />}
     </IconButton>
   );
 }

@@ -2,7 +2,7 @@
 
 import { Button } from "@mantine/core";
 import { lazy } from "react";
-import { IconTemplate } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { useAction, useActionButton, usePaletteEntries } from "../../lab/actions";
 import { useReadOnly } from "../../lab/context";
 import { useForm, usePresets } from "../../server/useCatalogues";
@@ -38,7 +38,12 @@ export function LibraryButton() {
   const { label, ...button } = useActionButton("library");
   return (
     <>
-      <Button aria-label={label} leftSection={<IconTemplate size={16} stroke={1.7} />} classNames={compact} {...button}>
+      <Button
+        aria-label={label}
+        leftSection={<Icon name="Template" size={16} stroke={1.7} />}
+        classNames={compact}
+        {...button}
+      >
         {label}
       </Button>
       {saving && canEdit && (

@@ -1,7 +1,7 @@
 /** Whether a number keeps what is required of it: a word and a sign, colour only repeats them. */
 
 import type { RequirementResult } from "../../api/types";
-import { IconAlertTriangle, IconCheck, IconX } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { limitText, RESULT_WORDS } from "./judged";
 import { useFigures, useCatalogue } from "../../server/useCatalogues";
 import { metricsOf } from "../../server/metrics";
@@ -9,7 +9,7 @@ import { useMemo, type ReactNode } from "react";
 import { Box } from "@mantine/core";
 import ui from "../../ui/ui.module.css";
 
-const SIGNS = { pass: IconCheck, fail: IconX, uncertain: IconAlertTriangle } as const;
+const SIGNS = { pass: "Check", fail: "X", uncertain: "AlertTriangle" } as const;
 
 export function RequirementMarks({ results }: { readonly results: readonly RequirementResult[] }) {
   if (results.length === 0) return null;
@@ -37,10 +37,9 @@ interface MarkProps {
 }
 
 export function ResultMark({ result, title, children }: MarkProps) {
-  const Sign = SIGNS[result];
   return (
     <Box component="span" className={ui.mark ?? ""} mr="0.35rem" fz="xs" data-result={result} title={title}>
-      <Sign size={12} stroke={2.4} aria-hidden /> {RESULT_WORDS[result]}
+      <Icon name={SIGNS[result]} size={12} stroke={2.4} /> {RESULT_WORDS[result]}
       {children}
     </Box>
   );

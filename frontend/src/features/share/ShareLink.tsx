@@ -2,7 +2,7 @@
 
 import { Button, Popover, Text, ActionIcon, TextInput } from "@mantine/core";
 import { useRef, useState, useEffect } from "react";
-import { IconLink, IconCheck, IconCopy } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { explain } from "../../api/problem";
 import type { NewLink } from "../../api/types";
 import { copyWhenThere, useCopied } from "../../ui/useCopied";
@@ -63,7 +63,7 @@ export function ShareLink({ make, obstacle, opens }: Props) {
           variant="light"
           aria-label={label}
           classNames={{ ...compact, root: `${compact.root} ${classes.button}` }}
-          leftSection={<IconLink size={15} />}
+          leftSection={<Icon name="Link" size={15} />}
           loading={outcome?.kind === "making"}
           {...(obstacle === null ? {} : { "data-disabled": true })}
           aria-disabled={obstacle !== null}
@@ -122,7 +122,7 @@ function LinkField({ url }: { readonly url: string }) {
           aria-label={copied ? "Copied" : "Copy the address"}
           onClick={() => copy(url)}
         >
-          {copied ? <IconCheck size={15} /> : <IconCopy size={15} />}
+          {copied ? <Icon name="Check" size={15} /> : <Icon name="Copy" size={15} />}
         </ActionIcon>
       }
     />

@@ -3,7 +3,7 @@
 import { Button, Group, Text } from "@mantine/core";
 import { useMutation } from "@tanstack/react-query";
 import type { ReactNode } from "react";
-import { IconCopy, IconRefresh, IconLock } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { api } from "../../api/client";
 import type { Link, Catalogue, FigureTemplate, Run, Strategy } from "../../api/types";
 import { useLabContext, useLab } from "../../lab/context";
@@ -46,10 +46,14 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
     <>
       <SharedNote link={link} what="result">
         <Group gap="0.4rem" data-unprinted>
-          <Button variant="filled" leftSection={<IconCopy size={15} />} onClick={openCopy}>
+          <Button variant="filled" leftSection={<Icon name="Copy" size={15} />} onClick={openCopy}>
             Open a copy to edit
           </Button>
-          <Button leftSection={<IconRefresh size={15} />} loading={again.isPending} onClick={() => again.mutate()}>
+          <Button
+            leftSection={<Icon name="Refresh" size={15} />}
+            loading={again.isPending}
+            onClick={() => again.mutate()}
+          >
             Run again on this version
           </Button>
         </Group>
@@ -76,7 +80,7 @@ interface SharedNoteProps {
 export function SharedNote({ link, what, children }: SharedNoteProps) {
   return (
     <section className={ui.banner} aria-label="Shared result">
-      <IconLock size={17} stroke={1.7} aria-hidden />
+      <Icon name="Lock" size={17} stroke={1.7} />
       <Text flex="1 1 14rem">
         Shared {what}, computed on {formatDay(link.computed_at)} by core {link.core_version}. Read-only.
         {link.damaged_at !== null &&

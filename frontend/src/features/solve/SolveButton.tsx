@@ -3,7 +3,7 @@
 import { ActionIcon } from "@mantine/core";
 import { useDisclosure } from "@mantine/hooks";
 import { lazy, memo } from "react";
-import { IconGauge } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { useCatalogues } from "../../server/useCatalogues";
 import { LazyPart } from "../../ui/LazyPart";
 
@@ -30,7 +30,7 @@ export const SolveButton = memo(function SolveButton({ metric, label }: Props) {
         aria-label={`How fast may it go: ${label}`}
         onClick={open}
       >
-        <IconGauge size={14} stroke={1.7} />
+        <Icon name="Gauge" size={14} stroke={1.7} />
       </ActionIcon>
       {opened && (
         <LazyPart onClose={close}>

@@ -3,7 +3,7 @@
 import { Button } from "@mantine/core";
 import { useDisclosure } from "@mantine/hooks";
 import type { Batch } from "../../api/types";
-import { IconGridDots, IconPlus } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { lazy } from "react";
 import { useAction, useActionButton } from "../../lab/actions";
 import { useForm, useStrategies } from "../../server/useCatalogues";
@@ -17,13 +17,13 @@ export function SweepButton({ batch }: { readonly batch?: Batch }) {
   const [form, strategies] = [useForm(), useStrategies()];
   useAction("sweep", open);
   const { label: title, ...button } = useActionButton("sweep");
-  const [label, Icon] = batch ? ["New sweep", IconPlus] : [title, IconGridDots];
+  const [label, icon] = batch ? (["New sweep", "Plus"] as const) : ([title, "GridDots"] as const);
   return (
     <>
       <Button
         data-hint={`Run many variants of ${batch ? "its" : "this"} scenario`}
         aria-label={label}
-        leftSection={<Icon size={15} />}
+        leftSection={<Icon name={icon} size={15} />}
         classNames={compact}
         {...button}
       >

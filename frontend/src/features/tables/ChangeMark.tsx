@@ -4,7 +4,7 @@ import { changeAgainst, formatPercent, type Change } from "./change";
 import classes from "./tables.module.css";
 import type { Interval } from "../../api/types";
 import { formatHalf, formatResult, isNothing, NO_VALUE } from "../../units/format";
-import { IconAlertTriangle } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import type { Caveat } from "./caveats";
 import ui from "../../ui/ui.module.css";
 import { UnstyledButton } from "@mantine/core";
@@ -73,7 +73,7 @@ export function CaveatMark({ caveats, short = false }: CaveatMarkProps) {
       className={classes.caveat ?? ""}
       data-caveat={caveats.map(({ event }) => event).join(" ")}
     >
-      <IconAlertTriangle size={short ? 14 : 12} stroke={2} aria-hidden />
+      <Icon name="AlertTriangle" size={short ? 14 : 12} />
       <span className={short ? "visually-hidden" : ""}>{text}</span>
     </UnstyledButton>
   );

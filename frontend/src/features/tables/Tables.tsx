@@ -3,7 +3,7 @@
 import { Button, Box, Checkbox } from "@mantine/core";
 import { useMediaQuery } from "@mantine/hooks";
 import { useId, useState } from "react";
-import { IconChevronDown, IconChevronUp } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { CompareBar } from "../compare/CompareBar";
 import type { Catalogue, FigureTemplate, SignalKey } from "../../api/types";
 import type { ResultView } from "../../lab/resultView";
@@ -83,7 +83,7 @@ export function Tables({ resultView, catalogue, figures }: Props) {
         variant="subtle"
         aria-expanded={more}
         {...(more ? { "aria-controls": id } : {})}
-        rightSection={more ? <IconChevronUp size={14} /> : <IconChevronDown size={14} />}
+        rightSection={more ? <Icon name="ChevronUp" size={14} /> : <Icon name="ChevronDown" size={14} />}
         onClick={() => setMore(!more)}
       >
         {more ? "Less" : "Travel, forces, comfort, time and events"}

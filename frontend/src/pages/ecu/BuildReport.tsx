@@ -1,7 +1,7 @@
 /** Whether the controller fits the microcontroller: memory and time of the scenario's own and of smaller ones, with what each loses. */
 
 import { Button, Skeleton, Stack, Switch, Text } from "@mantine/core";
-import { IconAlertTriangle, IconCheck } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { queryOptions, useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { ask } from "../../api/http";
@@ -183,10 +183,9 @@ const lossColumns = (catalogue: Catalogue) =>
 const shownChange = (change: number | null | undefined) => (typeof change === "number" ? formatPercent(change) : "–");
 
 function Fits({ fits, reasons }: { readonly fits: boolean; readonly reasons: readonly string[] }) {
-  const Icon = fits ? IconCheck : IconAlertTriangle;
   return (
     <span className={fits ? ui.good : ui.warning} title={reasons.join("\n")}>
-      <Icon size={14} stroke={2} aria-hidden className={ui.inline} /> {fits ? "yes" : "no"}
+      <Icon name={fits ? "Check" : "AlertTriangle"} size={14} className={ui.inline} /> {fits ? "yes" : "no"}
       {!fits && <span className="visually-hidden">: {reasons.join("; ")}</span>}
     </span>
   );

@@ -2,7 +2,7 @@
 
 import { Anchor, Text } from "@mantine/core";
 import { Link } from "@tanstack/react-router";
-import { IconAlertTriangle, IconCheck } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import type { Catalogue, FigureTemplate, Strategy, Summary } from "../../api/types";
 import { headingOf, labelOf } from "../../features/tables/ComparisonTable";
 import { VIEWS } from "../../features/tables/entries";
@@ -115,10 +115,10 @@ const formatShown = (value: number | undefined, scale: number) =>
 
 function Verdict({ row: { within, change } }: { readonly row: HilRow }) {
   if (within === null || change === null) return <span className={tables.change}>–</span>;
-  const Icon = within ? IconCheck : IconAlertTriangle;
   return (
     <span className={within ? ui.good : ui.warning}>
-      <Icon size={14} stroke={2} aria-hidden className={ui.inline} /> {within ? "yes" : `no, ${formatPercent(change)}`}
+      <Icon name={within ? "Check" : "AlertTriangle"} size={14} className={ui.inline} />{" "}
+      {within ? "yes" : `no, ${formatPercent(change)}`}
     </span>
   );
 }

@@ -2,7 +2,7 @@
 
 import { Button, Drawer } from "@mantine/core";
 import { useDisclosure, useMediaQuery } from "@mantine/hooks";
-import { IconAdjustmentsHorizontal } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { Editor } from "../../features/editor/Editor";
 import { useLabContext, useReadOnly } from "../../lab/context";
 import { revealed } from "../../lab/reveal";
@@ -43,7 +43,7 @@ export function EditorPane() {
         data-tour="edit"
         data-unprinted
         className={classes.editButton ?? ""}
-        leftSection={<IconAdjustmentsHorizontal size={18} />}
+        leftSection={<Icon name="AdjustmentsHorizontal" size={18} />}
         onClick={open}
       >
         {readOnly ? "Scenario" : "Edit scenario"}

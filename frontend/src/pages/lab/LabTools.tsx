@@ -1,7 +1,7 @@
 /** What the lab puts into the header: library, undo and redo, what the last answer cost, sweep, share and export; and its actions. */
 
 import { useAction, useActionButton, usePaletteEntries, type PaletteEntry } from "../../lab/actions";
-import { IconArrowBackUp, IconArrowForwardUp } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { ExportMenu } from "../../features/export/ExportMenu";
 import { LibraryButton } from "../../features/library/LibraryButton";
 import { ShareRun } from "../../features/share/ShareRun";
@@ -28,10 +28,10 @@ export function LabTools() {
     <>
       <LibraryButton />
       <IconButton {...useActionButton("undo")}>
-        <IconArrowBackUp size={18} stroke={1.7} />
+        <Icon name="ArrowBackUp" size={18} stroke={1.7} />
       </IconButton>
       <IconButton {...useActionButton("redo")}>
-        <IconArrowForwardUp size={18} stroke={1.7} />
+        <Icon name="ArrowForwardUp" size={18} stroke={1.7} />
       </IconButton>
       <StatusLine position="header" />
       <span className={classes.grow} />

@@ -3,7 +3,7 @@
 import { Button, Menu } from "@mantine/core";
 import { memo, useState } from "react";
 import type { Strategy, StrategyId } from "../../api/types";
-import { IconChevronDown, IconExternalLink } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { STRATEGIES } from "../../ui/manual";
 import { useLab, useLabContext } from "../../lab/context";
 import { isolateWhilePointed } from "../../lab/isolated";
@@ -46,7 +46,7 @@ export const StrategyChoice = memo(function StrategyChoice({
           <Button
             data-unprinted
             flex="none"
-            rightSection={<IconChevronDown size={14} />}
+            rightSection={<Icon name="ChevronDown" size={14} />}
             disabled={strategies.length === 0}
           >
             Strategies
@@ -67,7 +67,12 @@ export const StrategyChoice = memo(function StrategyChoice({
             </Menu.CheckboxItem>
           ))}
           <Menu.Divider />
-          <Menu.Item component="a" href={STRATEGIES} target="_blank" rightSection={<IconExternalLink size={14} />}>
+          <Menu.Item
+            component="a"
+            href={STRATEGIES}
+            target="_blank"
+            rightSection={<Icon name="ExternalLink" size={14} />}
+          >
             What each of them does
           </Menu.Item>
         </Menu.Dropdown>

@@ -1,7 +1,7 @@
 /** How many of the paper's printed changes come out here, and what that hinges on. */
 
 import { Anchor, Box, Button, Group, Progress, Stack, Text } from "@mantine/core";
-import { IconAlertTriangle, IconArrowRight, IconEyeOff } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { api } from "../../api/client";
 import type { Paper, PaperCell, PaperInterpretation } from "../../api/types";
 import { useRunInLab } from "../../ui/useOpenInLab";
@@ -52,7 +52,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
         </Stack>
         <Stack className={ui.card ?? ""} gap="0.6rem" p="0.9rem 1.1rem" data-testid="count-without" data-aside>
           <Group component="p" gap="0.4rem" align="baseline" m={0} fz="lg">
-            <IconEyeOff size={18} stroke={1.8} aria-hidden className={classes.countIcon} />
+            <Icon name="EyeOff" size={18} stroke={1.8} className={classes.countIcon} />
             <span>
               Without preview: <BigNumber>{without.reached}</BigNumber> of {countedOf(paper, without.counts)}
               {soFar(paper)}
@@ -64,7 +64,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
       </div>
       {paper.unavailable && (
         <Group gap="0.5rem" align="flex-start" wrap="nowrap" maw="52rem" mt="0.9rem" lh="1.5" data-testid="unavailable">
-          <IconAlertTriangle size={16} stroke={1.8} aria-hidden className={classes.countIcon} />
+          <Icon name="AlertTriangle" size={16} stroke={1.8} className={classes.countIcon} />
           <span>
             The {paper.unavailable.cells} cells of hardware in the loop are not available here and not counted.{" "}
             {typeset(paper.unavailable.reason)}.
@@ -131,7 +131,7 @@ function OpenScenario({ paper }: Pick<Props, "paper">) {
   return (
     <Group gap="0.6rem" m="0.2rem 0 0.8rem" data-unprinted>
       <Button
-        rightSection={<IconArrowRight size={15} aria-hidden />}
+        rightSection={<Icon name="ArrowRight" size={15} />}
         loading={opening !== null}
         onClick={() => open(strategies)}
       >

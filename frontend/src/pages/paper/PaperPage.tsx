@@ -4,7 +4,7 @@ import { Anchor, Box, Button, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
 import { useQuery } from "@tanstack/react-query";
 import { useEffect, type ReactNode, useState } from "react";
-import { IconFileDescription } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { download } from "../../lib/download";
 import { address } from "../../api/http";
 import { ApiProblem, isTransient } from "../../api/problem";
@@ -50,7 +50,7 @@ export function PaperPage() {
           files={[
             {
               label: "Report (HTML)",
-              icon: <IconFileDescription size={16} />,
+              icon: <Icon name="FileDescription" size={16} />,
               save: () => download(address("/paper/report.html", { query: choices }), "ridelab-paper.html"),
             },
           ]}

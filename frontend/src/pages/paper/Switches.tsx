@@ -2,7 +2,7 @@
 
 import { Box, Button, Group, SegmentedControl, Text } from "@mantine/core";
 import { useId } from "react";
-import { IconRestore } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import type { Paper, PaperInterpretation, PaperReading } from "../../api/types";
 import { count } from "../../units/format";
 import { setOf, standardOf, withChoice, withoutChoices, type Choices } from "./choices";
@@ -40,7 +40,7 @@ export function Switches({ paper, choices, waiting, onChoose }: Props) {
         <Button
           size="compact-xs"
           data-unprinted
-          leftSection={<IconRestore size={14} aria-hidden />}
+          leftSection={<Icon name="Restore" size={14} />}
           disabled={changed.length === 0}
           onClick={() => onChoose(withoutChoices(choices, readings))}
         >

@@ -1,7 +1,7 @@
 /** The paper's comparing tables, each with ours beside it: what it prints, what comes out here, the verdict. */
 
 import { Anchor, Text } from "@mantine/core";
-import { IconAlertTriangle, IconEyeOff } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import type { Paper, PaperCell, PaperJudgement, PaperTable } from "../../api/types";
 import { formatPercent } from "../../features/tables/change";
 import { formatResult } from "../../units/format";
@@ -137,7 +137,7 @@ function columnsOf(first: PaperCell | undefined, words: Labels): readonly Column
       key: "without",
       head: (
         <>
-          <IconEyeOff size={13} stroke={2} aria-hidden className={ui.inline} /> Without preview
+          <Icon name="EyeOff" size={13} className={ui.inline} /> Without preview
         </>
       ),
       cell: ({ without_preview: without }) => <Without without={without} />,
@@ -187,8 +187,8 @@ function PrintedChange({ cell: { paper_change: printed, misprint } }: { readonly
     <span className={tables.misprint}>
       <s>{printedChange(misprint.printed)}</s>
       <span className={tables.misprintMark}>
-        <IconAlertTriangle size={12} stroke={2} aria-hidden className={ui.inline} /> misprint:{" "}
-        {printedChange(misprint.follows)} follows
+        <Icon name="AlertTriangle" size={12} className={ui.inline} /> misprint: {printedChange(misprint.follows)}{" "}
+        follows
       </span>
     </span>
   );

@@ -1,26 +1,25 @@
 /** A verdict as icon and word, and a count of the three as a bar. Colour only repeats them. */
 
 import { Box, Group } from "@mantine/core";
-import { IconArrowDownRight, IconCheck, IconDots, IconMinus, IconX } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import type { PaperJudgement, VerdictCounts, Paper, PaperCell, PaperVerdict } from "../../api/types";
 import classes from "./verdict.module.css";
 import { count } from "../../units/format";
 import ui from "../../ui/ui.module.css";
 
 const ICONS = {
-  reached: IconCheck,
-  smaller: IconArrowDownRight,
-  contradicts: IconX,
-  unavailable: IconMinus,
-  pending: IconDots,
+  reached: "Check",
+  smaller: "ArrowDownRight",
+  contradicts: "X",
+  unavailable: "Minus",
+  pending: "Dots",
 } as const;
 
 /** `certain`: the whole interval would get it. */
 export function VerdictMark({ verdict, certain }: Pick<PaperJudgement, "verdict" | "certain">) {
-  const Icon = ICONS[verdict];
   return (
     <span className={ui.mark} data-verdict={verdict}>
-      <Icon size={14} stroke={2.6} aria-hidden />
+      <Icon name={ICONS[verdict]} size={14} stroke={2.6} />
       <span>
         {wordOf(verdict)}
         {certain === false && (
@@ -63,10 +62,9 @@ export function VerdictCountList({ counts }: { readonly counts: VerdictCounts })
   return (
     <Group component="ul" className={ui.list ?? ""} gap="0.2rem 0.7rem" fz="sm">
       {VERDICTS.map(({ verdict, word }) => {
-        const Icon = ICONS[verdict];
         return (
           <li key={verdict} className={ui.mark} data-verdict={verdict}>
-            <Icon size={14} stroke={2.6} aria-hidden />
+            <Icon name={ICONS[verdict]} size={14} stroke={2.6} />
             <span>
               <b>{counts[verdict]}</b> {word}
             </span>

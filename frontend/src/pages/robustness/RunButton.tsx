@@ -1,7 +1,7 @@
 /** A value whose run opens in the lab; the fields there are in the tooltip. */
 
 import { Button } from "@mantine/core";
-import { IconExternalLink } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { nameOf, useFieldText } from "./names";
 import type { ExtremeRun } from "./summary";
 import type { Opening } from "../../features/sweep/useOpenRun";
@@ -26,7 +26,7 @@ export function RunButton({ run, text, what, opening }: Props) {
       px="0.3rem"
       fw={500}
       loading={opening.opening?.run === run.run}
-      rightSection={<IconExternalLink size={13} aria-hidden />}
+      rightSection={<Icon name="ExternalLink" size={13} />}
       aria-label={`${what} ${text}: open run ${run.run} in the lab`}
       onClick={() => opening.open(run)}
     >

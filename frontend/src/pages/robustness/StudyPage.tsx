@@ -5,7 +5,7 @@ import { useDisclosure } from "@mantine/hooks";
 import { useSuspenseQuery } from "@tanstack/react-query";
 import { Link, useParams } from "@tanstack/react-router";
 import { useMemo } from "react";
-import { IconAdjustments, IconPlus } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { BatchFiles } from "../../features/export/FileMenu";
 import { ShareAddress } from "../../features/share/ShareAddress";
 import { BatchState } from "../../features/sweep/SweepState";
@@ -34,7 +34,7 @@ export function StudyPage() {
         aria-expanded={changing}
         aria-label="Change it"
         classNames={compact}
-        leftSection={<IconAdjustments size={15} />}
+        leftSection={<Icon name="Adjustments" size={15} />}
         onClick={toggle}
       >
         Change it
@@ -42,7 +42,7 @@ export function StudyPage() {
       <Button
         aria-label="New study"
         classNames={compact}
-        leftSection={<IconPlus size={15} />}
+        leftSection={<Icon name="Plus" size={15} />}
         renderRoot={(props) => <Link to="/robustness" {...props} />}
       >
         New study

@@ -17,7 +17,7 @@ import { useOpenRun } from "../../features/sweep/useOpenRun";
 import { Fault, Note } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
 import { Loading } from "../../ui/Blank";
-import { IconAlertTriangle } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { formatPercent } from "../../features/tables/change";
 import { StrategyName } from "../../ui/StrategyKey";
 import classes from "./robustness.module.css";
@@ -116,7 +116,13 @@ function Unstable({ summary, strategies }: UnstableProps) {
   });
   if (sentences.length === 0) return null;
   return (
-    <Alert color="red" variant="light" icon={<IconAlertTriangle size={18} />} role="alert" data-testid="unstable">
+    <Alert
+      color="red"
+      variant="light"
+      icon={<Icon name="AlertTriangle" size={18} />}
+      role="alert"
+      data-testid="unstable"
+    >
       {sentences.join("; ")}. There a small disturbance grows until the actuators’ limits stop it: the wheels then
       oscillate by themselves. The figures below include those runs.
     </Alert>

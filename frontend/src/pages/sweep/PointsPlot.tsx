@@ -3,7 +3,7 @@
 import { Group, Text, useComputedColorScheme } from "@mantine/core";
 import { useCallback, useMemo, useRef, useState } from "react";
 import type { Batch, Strategy } from "../../api/types";
-import { IconAlertTriangle } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { isFinal } from "../../jobs/follow";
 import { Chart } from "../../plots/Chart";
 import { ChartButton } from "../../plots/FigureButton";
@@ -127,7 +127,7 @@ export function PointsPlot({
           data-testid="airborne-note"
           title={catalogue.events.find(({ key }) => key === "airborne_ms")?.description}
         >
-          <IconAlertTriangle size={13} stroke={2} aria-hidden className={ui.inline} /> {formatWhole(airborne)} of the{" "}
+          <Icon name="AlertTriangle" size={13} className={ui.inline} /> {formatWhole(airborne)} of the{" "}
           {count(drawn, "run")} shown {airborne === 1 ? "is" : "are"} airborne (hollow points): their linear tyre pulls
           on the road, which a real one cannot.
         </Text>

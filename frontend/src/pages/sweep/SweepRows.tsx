@@ -2,7 +2,7 @@
 
 import { ActionIcon, Box, Checkbox, Group, Pagination, Text } from "@mantine/core";
 import { useMemo, useState } from "react";
-import { IconExternalLink } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import { count, prettyUnit } from "../../units/format";
 import classes from "./sweep.module.css";
 import { MarkerKey } from "./PlotTools";
@@ -163,7 +163,7 @@ function Run({ columns, row, best, opening, onOpen }: CellProps) {
         aria-label={`Open run ${run} in the dashboard`}
         onClick={() => onOpen(row)}
       >
-        <IconExternalLink size={14} />
+        <Icon name="ExternalLink" size={14} />
       </ActionIcon>
     </span>
   );

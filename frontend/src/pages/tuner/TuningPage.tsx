@@ -9,7 +9,7 @@ import { address, ask } from "../../api/http";
 import { FileMenu } from "../../features/export/FileMenu";
 import { ShareAddress } from "../../features/share/ShareAddress";
 import { compact } from "../../ui/compact";
-import { IconBraces, IconPlus } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
 import type { Trial, Tuning, Weights } from "../../api/types";
 import { TUNING, useJob } from "../../jobs/useJob";
 import { Page } from "../../ui/Page";
@@ -51,7 +51,7 @@ export function TuningPage() {
           <Button
             aria-label="New tuning"
             classNames={compact}
-            leftSection={<IconPlus size={15} />}
+            leftSection={<Icon name="Plus" size={15} />}
             renderRoot={(props) => <Link to="/tuner" {...props} />}
           >
             New tuning
@@ -70,7 +70,7 @@ export function TuningPage() {
 
 const trialsOf = ({ id }: Tuning) => ({
   label: "JSON",
-  icon: <IconBraces size={16} />,
+  icon: <Icon name="Braces" size={16} />,
   save: () => download(address("/tunings/{id}/trials", { path: { id } }), `ridelab-tuning-${id}.json`),
 });
 

@@ -2,7 +2,7 @@
 
 import { Group, Skeleton, Stack, Text } from "@mantine/core";
 import type { ReactNode } from "react";
-import { IconAlertTriangle, IconCheck, IconEqual } from "../../ui/icons";
+import { Icon, type IconName } from "../../ui/icons";
 import type { ComparedPoint, TunedFigure, Tuning, Comparison } from "../../api/types";
 import { isFinal } from "../../jobs/follow";
 import type { Metric } from "../../server/metrics";
@@ -24,13 +24,13 @@ interface Props extends Pick<TuningParts, "tuning" | "objectives"> {
   readonly figures: readonly Metric[];
 }
 
-const WARNING = [IconAlertTriangle, "var(--worse)"] as const;
-const SIGN: Readonly<Record<Keeps, readonly [typeof IconCheck, string?]>> = {
-  keeps: [IconCheck, "var(--better)"],
+const WARNING = ["AlertTriangle", "var(--worse)"] as const;
+const SIGN: Readonly<Record<Keeps, readonly [IconName, string?]>> = {
+  keeps: ["Check", "var(--better)"],
   shrinks: WARNING,
   unclear: WARNING,
   worse: WARNING,
-  none: [IconEqual],
+  none: ["Equal"],
 };
 
 export function ValidationTable({ tuning, objectives, figures }: Props) {
@@ -121,10 +121,10 @@ function GainLine({ gain: { keeps, text }, label, price }: GainLineProps) {
 }
 
 function SignedLine({ keeps, children }: { readonly keeps: Keeps; readonly children: ReactNode }) {
-  const [Icon, colour] = SIGN[keeps];
+  const [icon, colour] = SIGN[keeps];
   return (
     <Group component="li" gap="0.45rem" align="flex-start" wrap="nowrap" data-keeps={keeps}>
-      <Icon size={16} stroke={2} aria-hidden style={{ flex: "none", marginTop: 2, color: colour }} />
+      <Icon name={icon} size={16} style={{ flex: "none", marginTop: 2, color: colour }} />
       <span>{children}</span>
     </Group>
   );
