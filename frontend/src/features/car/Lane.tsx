@@ -5,7 +5,6 @@ import { useMemo } from "react";
 import type { Strategy } from "../../api/types";
 import { useCursor } from "../../lab/cursor";
 import type { ResultView } from "../../lab/resultView";
-import { metres, toKmh } from "../../units/brands";
 import { formatNumber } from "../../units/format";
 import classes from "./car.module.css";
 import ui from "../../ui/ui.module.css";
@@ -117,7 +116,7 @@ function Caption({ strategy, pose }: { readonly strategy: Strategy; readonly pos
       <span className={ui.swatch} style={{ background: strategy.colour }} />
       <strong>{strategy.label}</strong>
       <span className={classes.numbers}>
-        {formatNumber(toKmh(pose.speed))} km/h · {pose.position.toFixed(1)} m · {pose.time.toFixed(2)} s
+        {formatNumber(3.6 * pose.speed)} km/h · {pose.position.toFixed(1)} m · {pose.time.toFixed(2)} s
       </span>
       {airborne && (
         <Box component="span" fw={600} c="var(--danger)">
@@ -137,7 +136,7 @@ interface RoadProps extends Pick<Props, "resultView" | "strategy"> {
 function Road({ resultView, strategy, wheelbase, metre, rise }: RoadProps) {
   const series = resultView.series[strategy.id];
   return useMemo(() => {
-    const profile = series ? roadProfile(series, metres(wheelbase)) : [];
+    const profile = series ? roadProfile(series, wheelbase) : [];
     const points = profile.map(([x, z]) => `${(x * metre).toFixed(1)},${(-z * rise).toFixed(2)}`).join(" ");
     const [start, end] = [profile[0]?.[0] ?? 0, profile.at(-1)?.[0] ?? 0];
     return (

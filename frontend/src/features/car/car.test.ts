@@ -2,7 +2,6 @@ import { describe, expect, it } from "vitest";
 import { poseAt, roadProfile, type CarPose } from "./geometry";
 import { bodyPath, windowPath } from "./Lane";
 import { dimensionsOf, drawnCar, GROUND, roofOf, scaleOf, shiftInto } from "./layout";
-import { metres, metresPerSecond, newtons, seconds } from "../../units/brands";
 
 const f = (...values: number[]) => new Float32Array(values);
 const series = {
@@ -43,7 +42,7 @@ describe("the car's pose", () => {
   });
 
   it("takes the road behind the start from the rear axle", () => {
-    expect(roadProfile(series, metres(3))).toEqual([
+    expect(roadProfile(series, 3)).toEqual([
       [-3, 0],
       [0, 0],
       [10, expect.closeTo(0.1) as number],
@@ -55,16 +54,16 @@ describe("the drawn car", () => {
   const car = dimensionsOf(scenario, { front: 5360, rear: 5000 }); // both tyres are 20 mm shorter than without load
   const scale = scaleOf(920, 5, car); // 40 px a metre, 200 px a metre of height
   const axle = (road: number, wheel: number, body: number, force = 0) => ({
-    road: metres(road),
-    wheel: metres(wheel),
-    body: metres(body),
-    force: newtons(force),
+    road: road,
+    wheel: wheel,
+    body: body,
+    force: force,
     airborne: false,
   });
   const pose = (front: CarPose["front"], rear = axle(0, 0, 0)): CarPose => ({
-    time: seconds(0),
-    position: metres(0),
-    speed: metresPerSecond(10),
+    time: 0,
+    position: 0,
+    speed: 10,
     front,
     rear,
   });

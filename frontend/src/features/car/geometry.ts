@@ -6,35 +6,26 @@ import { numberAt } from "../../scenario/path";
 import { valueAt } from "../../lib/samples";
 import type { Axis } from "../../lab/address";
 import { axisKey, type ResultView } from "../../lab/resultView";
-import {
-  metres,
-  metresPerSecond,
-  newtons,
-  newtonsPerMetre,
-  springTravel,
-  type Metres,
-  type MetresPerSecond,
-  type Newtons,
-  type Seconds,
-  seconds,
-} from "../../units/brands";
 import { stagedStrategy } from "../../plots/shapes";
 
 export interface Axle {
-  readonly road: Metres;
-  readonly wheel: Metres;
-  readonly body: Metres;
-  /** Of the actuator: it lifts the body and presses the wheel down. */
-  readonly force: Newtons;
+  /** Heights [m]. */
+  readonly road: number;
+  readonly wheel: number;
+  readonly body: number;
+  /** Of the actuator: it lifts the body and presses the wheel down [N]. */
+  readonly force: number;
   /** The tyre is off the road, or pulls on it where it cannot lift off. */
   readonly airborne: boolean;
 }
 
 export interface CarPose {
-  readonly time: Seconds;
-  /** Of the front axle, along the road. */
-  readonly position: Metres;
-  readonly speed: MetresPerSecond;
+  /** [s] */
+  readonly time: number;
+  /** Of the front axle, along the road [m]. */
+  readonly position: number;
+  /** [m/s] */
+  readonly speed: number;
   readonly front: Axle;
   readonly rear: Axle;
 }
@@ -58,18 +49,11 @@ export function poseAt(series: Series, axis: Axis, at: number, scenario: Scenari
   const axle = (end: "front" | "rear"): Axle | null => {
     const [road, load, deflection] = [read(`${end}_road`), read(`${end}_tyre_load`), read(`${end}_deflection`)];
     if (road === null || load === null || deflection === null) return null;
-    const stiffness = newtonsPerMetre(numberAt(scenario, `/vehicle/${end}_tyre_stiffness`, 1));
     // A tyre pressed harder is shorter: the wheel lies that much lower over the road.
-    const wheel = metres(road - springTravel(newtons(load), stiffness));
+    const wheel = road - load / numberAt(scenario, `/vehicle/${end}_tyre_stiffness`, 1);
     const limit = loads[end];
     const airborne = limit !== null && load <= -limit * FLOAT32;
-    return {
-      road: metres(road),
-      wheel,
-      body: metres(wheel + deflection),
-      force: newtons(read(`${end}_force`) ?? 0),
-      airborne,
-    };
+    return { road, wheel, body: wheel + deflection, force: read(`${end}_force`) ?? 0, airborne };
   };
   const [time, position, speed, front, rear] = [
     read("time"),
@@ -79,11 +63,11 @@ export function poseAt(series: Series, axis: Axis, at: number, scenario: Scenari
     axle("rear"),
   ];
   if (time === null || position === null || speed === null || !front || !rear) return null;
-  return { time: seconds(time), position: metres(position), speed: metresPerSecond(speed), front, rear };
+  return { time, position, speed, front, rear };
 }
 
 /** The road as the wheels met it: the rear axle's before x = 0, the front's from there on. Pairs of x and height. */
-export function roadProfile(series: Series, wheelbase: Metres): readonly (readonly [number, number])[] {
+export function roadProfile(series: Series, wheelbase: number): readonly (readonly [number, number])[] {
   const { position, front_road: front, rear_road: rear } = series;
   if (!position || !front || !rear) return [];
   const behind = Array.from(position, (x, i) => [x - wheelbase, rear[i] ?? 0] as const).filter(([x]) => x < 0);

@@ -1,6 +1,6 @@
 /** What is compared with what: the choice, and in words what differs. */
 
-import { Box, Checkbox, Group, NativeSelect, Button, Menu, TextInput } from "@mantine/core";
+import { Box, Checkbox, Group, Button, Menu, TextInput } from "@mantine/core";
 import { changedFields, changesText, nameByChanges } from "../../scenario/differences";
 import { referenceTo, whyNotCompared, type Reference } from "../../lab/compare";
 import { useLabContext, useLab, useEdit, useFromScenario, useReadOnly } from "../../lab/context";
@@ -72,33 +72,23 @@ function AgainstSelect({ resultView: { strategies, pins, before, reference, base
   return (
     <Group component="label" gap="0.4rem" wrap="nowrap" fz="xs" c="dimmed">
       Change against
-      <NativeSelect
+      <Choice
         value={selected}
-        onChange={({ currentTarget: { value } }) =>
+        data={[
+          {
+            group: "Another strategy",
+            items: strategies.map(({ id, label }) => ({ value: `${STRATEGY}${id}`, label })),
+          },
+          ...(variants.length > 0 ? [{ group: "The same strategy", items: variants }] : []),
+        ]}
+        onPick={(value) =>
           labAddress.setView(
             value.startsWith(STRATEGY)
               ? { baseline: value.slice(STRATEGY.length), reference: "baseline" }
               : { reference: value as Reference },
           )
         }
-      >
-        <optgroup label="Another strategy">
-          {strategies.map(({ id, label }) => (
-            <option key={id} value={`${STRATEGY}${id}`}>
-              {label}
-            </option>
-          ))}
-        </optgroup>
-        {variants.length > 0 && (
-          <optgroup label="The same strategy">
-            {variants.map(({ value, label }) => (
-              <option key={value} value={value}>
-                {label}
-              </option>
-            ))}
-          </optgroup>
-        )}
-      </NativeSelect>
+      />
     </Group>
   );
 }

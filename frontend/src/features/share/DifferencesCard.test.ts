@@ -58,7 +58,7 @@ describe("the same scenario computed twice", () => {
     );
     expect(differences.map(({ metric, then, now }) => [metric, then, now])).toEqual([
       ["Target speed reached", true, false],
-      ["Body acceleration: Peak, bump", 2, 1],
+      ["Body acceleration, peak, bump", 2, 1],
       ["Weighted RMS", 1, 1.1],
     ]);
   });

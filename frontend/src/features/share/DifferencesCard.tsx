@@ -7,7 +7,8 @@ import { StrategyName, NameWithUnit } from "../../ui/StrategyKey";
 import { formatNumber } from "../../units/format";
 import { Card } from "../../ui/Card";
 import { DataTable } from "../../ui/DataTable";
-import { shownUnit } from "../../server/metrics";
+import { fullName, metricsOf, type Metric } from "../../server/metrics";
+import { metricPath, valueAt } from "../../lab/metricPath";
 import { Note } from "../../ui/Messages";
 
 interface Props {
@@ -129,47 +130,19 @@ interface Comparison {
   readonly failed: readonly string[];
 }
 
-interface Named {
-  readonly metric: string;
-  readonly unit: string;
-  readonly value: Figure;
-  /** From SI to `unit`. */
-  readonly scale: number;
-}
-
 type Figures = Readonly<Record<string, FigureTemplate>>;
 
-/** Every figure of a result in the unit the page shows it in. */
-function figuresOf(summary: Summary, catalogue: Catalogue, templates: Figures): readonly Named[] {
-  const name = (list: Catalogue["signals"], key: string) => list.find((entry) => entry.key === key)?.label ?? key;
-  const metrics = Object.entries(summary.metrics).flatMap(([window, signals]) =>
-    Object.entries(signals).flatMap(([signal, statistics]) => {
-      const { unit, scale } = shownUnit(signal, templates, catalogue);
-      return Object.entries(statistics).map(([statistic, value]): Named => {
-        const place = `${name(catalogue.statistics, statistic)}, ${name(catalogue.windows, window).toLowerCase()}`;
-        return {
-          metric: `${name(catalogue.signals, signal)}: ${place}`,
-          unit,
-          value: typeof value === "number" ? value * scale : null,
-          scale,
-        };
-      });
-    }),
-  );
-  const named = (list: Catalogue["comfort"], read: (key: string) => Figure | undefined) =>
-    list.map(({ key, label, unit }): Named => ({ metric: label, unit, value: read(key) ?? null, scale: 1 }));
-  return [
-    ...metrics,
-    ...named(catalogue.comfort, (key) => summary.comfort[key]),
-    ...named(catalogue.run_figures, (key) => (key === "travel_time" ? summary.travel_time : summary.arrival_speed_kmh)),
-    ...named(catalogue.events, (key) => summary.events[key]),
-  ];
+/** In the unit the page shows it in; `undefined` of a result that does not have it. */
+function figureOf(summary: Summary, { key, scale }: Metric): Figure | undefined {
+  const [, event] = /^events[.](.+)/.exec(key) ?? [];
+  const value = event === undefined ? valueAt(summary, metricPath(key)) : summary.events[event];
+  return typeof value === "number" ? value * scale : value;
 }
 
 /** Room for rounding, as `ridelab compare` leaves it: a part of the value, and an amount in SI units. */
 const [RELATIVE, ABSOLUTE] = [1e-6, 1e-9];
 
-function sizeOf({ value: then, scale }: Named, now: Figure): number {
+function sizeOf(then: Figure, now: Figure, scale: number): number {
   if (then === now) return 0;
   if (typeof then !== "number" || typeof now !== "number") return Infinity;
   if (Math.abs(now - then) <= Math.max(ABSOLUTE * scale, RELATIVE * Math.abs(then))) return 0;
@@ -188,13 +161,13 @@ export function compareRuns(then: Run, now: Run, catalogue: Catalogue, templates
       failed.push(`${strategy}: ${say(before)} then, ${say(after)} now`);
       continue;
     }
-    const news = new Map(figuresOf(after, catalogue, templates).map(({ metric, value }) => [metric, value]));
-    for (const figure of figuresOf(before, catalogue, templates)) {
-      const { metric, unit, value } = figure;
-      const current = news.get(metric) ?? null;
+    for (const metric of metricsOf(catalogue, templates)) {
+      const [value, current = null] = [figureOf(before, metric), figureOf(after, metric)];
+      if (value === undefined) continue;
       compared += 1;
-      const size = sizeOf(figure, current);
-      if (size > 0) differences.push({ strategy, metric, unit, then: value, now: current, size });
+      const size = sizeOf(value, current, metric.scale);
+      if (size > 0)
+        differences.push({ strategy, metric: fullName(metric), unit: metric.unit, then: value, now: current, size });
     }
   }
   return { differences: differences.sort((a, b) => b.size - a.size), compared, failed };
