@@ -6,7 +6,7 @@ import type { Batch } from "../../api/types";
 import type { Metric } from "../../server/metrics";
 import { formatFixed } from "../../units/format";
 import { nameOf } from "./names";
-import bars from "./bars.module.css";
+import { humanise } from "../../scenario/schema";
 import { hasOrder } from "./study";
 import { matters, ranked, type Ranked, type Sensitivity, type StrategySummary, type StudyParts } from "./summary";
 import { DataTable, type Column } from "../../ui/DataTable";
@@ -104,7 +104,7 @@ function columnsOf(batch: Batch, figures: readonly Metric[], margins: boolean): 
       key: "field",
       head: "Field",
       text: true,
-      cell: ({ field }) => <span className={bars.tornadoName}>{nameOf(field, batch.fields)}</span>,
+      cell: ({ field }) => humanise(nameOf(field, batch.fields)),
     },
     ...figures.map(({ key, label, group }) => sensitivity(key, label, group)),
     ...(margins ? [] : [sensitivity(STABILITY, "Least damping")]),

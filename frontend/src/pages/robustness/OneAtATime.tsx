@@ -1,8 +1,8 @@
 /** Each field alone at both its ends (a tornado): which one breaks a strategy. */
 
-import { Text } from "@mantine/core";
+import { Text, useComputedColorScheme } from "@mantine/core";
 import { keepPreviousData, useQuery } from "@tanstack/react-query";
-import { useState, type CSSProperties } from "react";
+import { useRef, useState } from "react";
 import { isFinal } from "../../jobs/follow";
 import { ChartButton } from "../../plots/FigureButton";
 import type { Batch } from "../../api/types";
@@ -12,11 +12,14 @@ import { BATCH, jobQuery } from "../../jobs/useJob";
 import { formatPercent } from "../../features/tables/change";
 import { formatResult, prettyUnit } from "../../units/format";
 import { nameOf, useFieldText } from "./names";
-import { tornadoChart } from "./paperSpread";
+import { tornadoChart } from "./charts";
+import { RunButton } from "./RunButton";
+import { Chart } from "../../plots/Chart";
+import { ON_PAPER, PALETTES, type Palette } from "../../plots/palettes";
+import { DataTable, type Column } from "../../ui/DataTable";
 import { isOneByOne, tornadoOf, type Bar, type End, type Tornado } from "./tornado";
 import { TRAVEL, type StudyParts } from "./summary";
 import { useOpenRun } from "../../features/sweep/useOpenRun";
-import styles from "./bars.module.css";
 import { Choice, labelled } from "../../ui/Entry";
 import { Fault, Note } from "../../ui/Messages";
 import { Card } from "../../ui/Card";
@@ -65,19 +68,12 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
     placeholderData: keepPreviousData,
   });
   const opening = useOpenRun(batch);
+  const palette = PALETTES[useComputedColorScheme("light")];
+  const host = useRef<HTMLDivElement>(null);
   const fieldText = useFieldText();
   if (!figure) return null;
   const tornado = table.data ? tornadoOf(batch, table.data.columns, strategyId, figure.key) : null;
-  const drawOnPaper = (shown: Tornado) =>
-    tornadoChart(
-      shown,
-      figure,
-      shown.bars.map(({ field }) => nameOf(field.name, [field])),
-      shown.bars.map(({ field, low, high }) => [
-        low ? fieldText(field.name, low.at) : "",
-        high ? fieldText(field.name, high.at) : "",
-      ]),
-    );
+  const drawn = tornado && ((look: Palette) => tornadoChart(tornado, figure, fieldText, look));
   const explanation = table.isError
     ? `The rows could not be read: ${table.error.message}`
     : isFinal(batch) && table.data
@@ -96,11 +92,12 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
             data={offered.map((each) => ({ value: each.key, label: fullName(each) }))}
             onPick={setFigure}
           />
-          {tornado && (
+          {drawn && (
             <ChartButton
               title={`Each field alone: ${fullName(figure)}`}
               file={`ridelab-${batch.id}-fields-${figure.key}`}
-              draw={() => drawOnPaper(tornado)}
+              hostRef={host}
+              draw={() => drawn(ON_PAPER)}
             />
           )}
         </>
@@ -108,15 +105,23 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
     >
       <Note className={ui.note ?? ""}>
         One field at its lowest and its highest value, all others as in the scenario. A bar to the right is worse. A
-        click opens the run.
+        click on a change opens its run.
       </Note>
       {opening.error !== null && (
         <Fault size="md" className={ui.note ?? ""}>
           This run could not be opened: {opening.error}
         </Fault>
       )}
-      {tornado ? (
-        <Bars {...{ tornado, figure, opening, batch }} />
+      {tornado && drawn ? (
+        <>
+          <Chart
+            hostRef={host}
+            figure={drawn(palette).figure}
+            height={AROUND + ROW * tornado.bars.length}
+            label={`${fullName(figure)} with each field alone at both its ends. Every value stands in the table below.`}
+          />
+          <Ends {...{ tornado, figure, opening, batch }} />
+        </>
       ) : (
         <Text c="dimmed" className={ui.note ?? ""} role="status">
           {explanation}
@@ -126,85 +131,59 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
   );
 }
 
-interface BarsProps extends Pick<StudyParts, "batch" | "opening"> {
+/** Of a field, and of the axis [px]. */
+const [ROW, AROUND] = [28, 58];
+
+interface EndsProps extends Pick<StudyParts, "batch" | "opening"> {
   readonly tornado: Tornado;
   readonly figure: Metric;
 }
 
-/** Lengths are shares of the widest bar's; the style adds room for labels. */
-const shares = (from: number, length = 0) => ({ "--from": from, "--length": length }) as CSSProperties;
-
-function Bars({ tornado: { nominal, bars }, figure, opening, batch }: BarsProps) {
-  const values = [nominal, ...bars.flatMap(({ low, high }) => [low, high].flatMap((end) => (end ? [end.value] : [])))];
-  const [least, most] = [Math.min(...values), Math.max(...values)];
-  const width = Math.max(most - least, 1e-12);
-  const offset = (value: number) => (value - least) / width;
-  const base = `${formatResult(nominal * figure.scale)} ${prettyUnit(figure.unit)}`.trim();
-  return (
-    <div className={styles.tornado} data-testid="tornado">
-      <div className={styles.tornadoRow} aria-hidden>
-        <span />
-        <span className={styles.tornadoTrack}>
-          <span className={styles.tornadoBase} style={shares(offset(nominal))}>
-            {base}
-          </span>
-        </span>
-      </div>
-      {bars.map((bar) => (
-        <BarRow key={bar.field.name} {...{ bar, nominal, offset, figure, opening, batch }} />
-      ))}
-    </div>
-  );
-}
-
-interface BarRowProps extends Omit<BarsProps, "tornado"> {
-  readonly bar: Bar;
-  readonly nominal: number;
-  readonly offset: (value: number) => number;
-}
-
-function BarRow({ bar: { field, low, high }, nominal, offset, figure, opening, batch }: BarRowProps) {
-  const ends = (
-    [
-      ["low", low],
-      ["high", high],
-    ] as const
-  ).flatMap(([side, end]) => (end ? [{ side, end }] : []));
-  const change = ({ value }: End) =>
-    nominal === 0
-      ? `${formatResult(value * figure.scale)} ${prettyUnit(figure.unit)}`
-      : formatPercent(100 * (value / nominal - 1));
+/** Both ends of each field: where they are, and what the figure comes to there. */
+function Ends({ tornado: { nominal, bars }, figure: { scale, unit }, opening, batch }: EndsProps) {
   const fieldText = useFieldText();
-  const placeText = (end: End) => fieldText(field.name, end.at);
+  const shown = (value: number) => `${formatResult(value * scale)} ${prettyUnit(unit)}`.trim();
+  const change = ({ value }: End) => (nominal === 0 ? shown(value) : formatPercent(100 * (value / nominal - 1)));
+  const columnsOf = (side: "low" | "high", group: string): readonly Column<Bar>[] => [
+    {
+      key: `${side} field`,
+      group,
+      head: "field",
+      cell: ({ field, [side]: end }) => end && fieldText(field.name, end.at),
+    },
+    {
+      key: side,
+      group,
+      head: "change",
+      detail: nominal === 0 ? "" : `of ${shown(nominal)}`,
+      attributes: ({ [side]: end }) => ({ "data-bad": (end && end.value > nominal) || undefined }),
+      cell: ({ field, [side]: end }) =>
+        end && (
+          <RunButton
+            run={{
+              run: end.row - (end.row % batch.strategies.length),
+              value: end.value,
+              at: end.at === undefined ? {} : { [field.name]: end.at },
+            }}
+            text={change(end)}
+            what={`${field.title} ${fieldText(field.name, end.at)}:`}
+            opening={opening}
+          />
+        ),
+    },
+  ];
   return (
-    <div className={styles.tornadoRow} data-field={field.name}>
-      <span className={styles.tornadoName}>{nameOf(field.name, [field])}</span>
-      <span className={styles.tornadoTrack}>
-        <span className={styles.tornadoLine} style={shares(offset(nominal))} />
-        {ends.map(({ side, end }) => {
-          const [from, to] = [offset(Math.min(nominal, end.value)), offset(Math.max(nominal, end.value))];
-          const left = end.value < nominal;
-          const run = end.row - (end.row % batch.strategies.length);
-          return (
-            <button
-              key={side}
-              type="button"
-              className={styles.tornadoBar}
-              data-side={side}
-              data-worse={!left || undefined}
-              disabled={opening.opening !== null}
-              style={shares(from, to - from)}
-              title={`${field.title} ${placeText(end)}: ${change(end)}`}
-              aria-label={`${field.title} ${placeText(end)}: ${change(end)}; open it in the lab`}
-              onClick={() => opening.open({ run, at: typeof end.at === "undefined" ? {} : { [field.name]: end.at } })}
-            >
-              <span className={styles.tornadoLabel} data-left={left || undefined}>
-                {placeText(end)} <b>{change(end)}</b>
-              </span>
-            </button>
-          );
-        })}
-      </span>
-    </div>
+    <DataTable
+      label="Each field at its ends"
+      attributes={{ "data-testid": "tornado", "data-dense": true }}
+      rows={bars}
+      rowKey={({ field }) => field.name}
+      rowAttributes={({ field }) => ({ "data-field": field.name })}
+      columns={[
+        { key: "field", head: "Field", text: true, cell: ({ field }) => nameOf(field.name, [field]) },
+        ...columnsOf("low", "At its lowest value"),
+        ...columnsOf("high", "At its highest value"),
+      ]}
+    />
   );
 }

@@ -1,23 +1,24 @@
 /** Every figure's spread under each strategy: bars to compare, a table to read, the worst case to open. */
 
-import { SegmentedControl, Box, Group } from "@mantine/core";
-import { useState } from "react";
+import { SegmentedControl, Box, Group, useComputedColorScheme } from "@mantine/core";
+import { useMemo, useRef, useState } from "react";
 import type { BatchSummary, Strategy } from "../../api/types";
 import { type Metric, fullName } from "../../server/metrics";
 import { formatPercent } from "../../features/tables/change";
 import { StrategyName, NameWithUnit } from "../../ui/StrategyKey";
-import { formatResult, prettyUnit, formatNumber } from "../../units/format";
+import { formatResult } from "../../units/format";
 import { RunButton } from "./RunButton";
 import { quantile, type FigureSummary, type Margin, type StudyParts } from "./summary";
 import type { Opening } from "../../features/sweep/useOpenRun";
-import styles from "./bars.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Card, Columns } from "../../ui/Card";
 import columns from "../../ui/columns.module.css";
 import ui from "../../ui/ui.module.css";
-import { stepAbove } from "../../lib/steps";
+import { Chart } from "../../plots/Chart";
 import { ChartButton } from "../../plots/FigureButton";
-import { spreadChart } from "./paperSpread";
+import { ON_PAPER, PALETTES } from "../../plots/palettes";
+import { Note } from "../../ui/Messages";
+import { spreadChart } from "./charts";
 
 type Props = Pick<StudyParts, "summary" | "strategies" | "figures" | "opening">;
 
@@ -32,7 +33,10 @@ export function Spread({ summary, strategies, figures, opening }: Props) {
       title="Spread of the metrics"
       tools={<SegmentedControl aria-label="Figures" value={shownGroup} data={groups} onChange={setShownGroup} />}
     >
-      <Key />
+      <Note className={ui.note ?? ""}>
+        Thin bars: 5 to 95 %. Thick ones: 25 to 75 %. Line: median. Diamond: nominal, the scenario itself. Circle: worst
+        case.
+      </Note>
       <Columns className={columns.whole ?? ""} gap="0.4rem 2rem" p="0.3rem 1rem 0.8rem">
         {shown.map((figure) => (
           <Intervals key={figure.key} {...{ summary, strategies, figure }} />
@@ -111,121 +115,37 @@ function columnsOf({ summary, shownGroup, against, opening }: Context): readonly
   ];
 }
 
-function Key() {
-  return (
-    <Group fz="xs" c="dimmed" gap="0.2rem 1.2rem" p="0 1rem 0.4rem" className={styles.key ?? ""}>
-      <span>
-        <i className={styles.bar} /> 5 to 95 %
-      </span>
-      <span>
-        <i className={styles.box} /> 25 to 75 %
-      </span>
-      <span>
-        <i className={styles.median} /> median
-      </span>
-      <span>
-        <i className={styles.nominal} /> nominal: the scenario itself
-      </span>
-      <span>
-        <i className={styles.worst} /> worst case
-      </span>
-    </Group>
-  );
-}
-
 interface IntervalsProps extends Pick<StudyParts, "summary" | "strategies"> {
   readonly figure: Metric;
 }
 
 function Intervals({ summary, strategies, figure }: IntervalsProps) {
-  const rows = strategies.flatMap((strategy) => {
-    const figureSummary = summary.strategies[strategy.id]?.figures[figure.key];
-    return figureSummary ? [{ strategy, figureSummary }] : [];
-  });
-  const most = Math.max(
-    0,
-    ...rows.flatMap(({ figureSummary }) => [figureSummary.highest?.value ?? 0, figureSummary.nominal ?? 0]),
+  const palette = PALETTES[useComputedColorScheme("light")];
+  const host = useRef<HTMLDivElement>(null);
+  const chart = useMemo(
+    () => spreadChart(summary, strategies, figure, palette),
+    [summary, strategies, figure, palette],
   );
-  const { end, ticks } = scaleTo(most * figure.scale);
   return (
     <Box component="figure" miw={0} m={0} data-figure={figure.key}>
-      <Group component="figcaption" wrap="nowrap" gap="0.3em" mb="0.2rem" fz="sm" fw={600}>
-        {figure.label} <span className={ui.dim}>{prettyUnit(figure.unit)}</span>
+      <Group component="figcaption" wrap="nowrap" gap="0.3em" fz="sm" fw={600}>
+        {figure.label}
         <ChartButton
           title={fullName(figure)}
           file={`ridelab-${summary.batch}-spread-${figure.key}`}
-          draw={() => spreadChart(summary, strategies, figure)}
+          hostRef={host}
+          draw={() => spreadChart(summary, strategies, figure, ON_PAPER)}
         />
       </Group>
-      {rows.map(({ strategy, figureSummary }) => (
-        <div key={strategy.id} className={styles.interval}>
-          <span className={styles.intervalName}>{strategy.label}</span>
-          <Track {...{ summary, strategy, figureSummary, figure, end }} />
-        </div>
-      ))}
-      <div className={styles.interval} aria-hidden>
-        <span className={styles.intervalName} />
-        <span className={styles.axis}>
-          {ticks.map((tick) => (
-            <span key={tick} style={{ left: `${(100 * tick) / end}%` }}>
-              {formatTick(tick)}
-            </span>
-          ))}
-        </span>
-      </div>
+      <Chart
+        hostRef={host}
+        figure={chart.figure}
+        height={AROUND + ROW * strategies.length}
+        label={`${fullName(figure)}: its spread under each strategy. Every value stands in the table below.`}
+      />
     </Box>
   );
 }
 
-const formatTick = (tick: number) =>
-  tick === 0
-    ? "0"
-    : formatNumber(tick, 2)
-        .replace(/(\.\d*?)0+$/, "$1")
-        .replace(/\.$/, "");
-
-interface TrackProps {
-  readonly summary: BatchSummary;
-  readonly strategy: Strategy;
-  readonly figureSummary: FigureSummary;
-  readonly figure: Metric;
-  readonly end: number;
-}
-
-function Track({ summary, strategy, figureSummary, figure: { label, unit, scale }, end }: TrackProps) {
-  const offset = (value: number) => `${Math.max(0, Math.min(100, (100 * value * scale) / end))}%`;
-  const at = (percent: number) => quantile(summary, figureSummary, percent);
-  const span = (low: number | null, high: number | null) =>
-    low === null || high === null
-      ? { display: "none" }
-      : { left: offset(low), width: `calc(${offset(high)} - ${offset(low)})`, background: strategy.colour };
-  const [p5, p25, p50, p75, p95] = [at(5), at(25), at(50), at(75), at(95)];
-  const text = (value: number | null) => (value === null ? "none" : formatResult(value * scale));
-  const words = `${strategy.label}, ${label}: median ${text(p50)}, 5 % ${text(p5)}, 95 % ${text(p95)}, worst ${text(figureSummary.highest?.value ?? null)}, nominal ${text(figureSummary.nominal)} ${prettyUnit(unit)}`;
-  return (
-    <span className={styles.track} role="img" aria-label={words} title={words}>
-      <span className={styles.bar} style={span(p5, p95)} />
-      <span className={styles.box} style={span(p25, p75)} />
-      {p50 !== null && <span className={styles.median} style={{ left: offset(p50) }} />}
-      {figureSummary.highest && (
-        <span
-          className={styles.worst}
-          style={{ left: offset(figureSummary.highest.value), borderColor: strategy.colour }}
-        />
-      )}
-      {figureSummary.nominal !== null && (
-        <span className={styles.nominal} style={{ left: offset(figureSummary.nominal) }} />
-      )}
-    </span>
-  );
-}
-
-/** A scale from zero that ends on a round number. */
-export function scaleTo(most: number): { readonly end: number; readonly ticks: readonly number[] } {
-  if (!(most > 0)) return { end: 1, ticks: [0] };
-  const step = stepAbove(most / 4);
-  const count = Math.ceil(most / step - 1e-9);
-  // Multiples of the step, without the dust of binary fractions.
-  const at = (index: number) => Number((index * step).toPrecision(10));
-  return { end: at(count), ticks: Array.from({ length: count + 1 }, (_, index) => at(index)) };
-}
+/** Of a strategy, and of the axis [px]. */
+const [ROW, AROUND] = [28, 58];

@@ -4,7 +4,6 @@ import type { Batch, RobustnessDefaults } from "../../api/types";
 import { FORM } from "../../scenario/form.fixture";
 import { isOneByOne, tornadoOf } from "./tornado";
 import { fieldText } from "./names";
-import { scaleTo } from "./Spread";
 import { draftStudy, readStudy, type StudyDraft } from "./study";
 import { matters, quantile, ranked, type Sensitivity } from "./summary";
 import { withFields } from "../../scenario/fields";
@@ -135,12 +134,6 @@ describe("the summary", () => {
   it("tells what chance does not make", () => {
     expect([sensitivities("a", 0.2, 1e-4), sensitivities("a", 0.2, 0.002)].map(matters)).toEqual([true, false]);
   });
-});
-
-it("a scale ends on a round number not below the most", () => {
-  expect(scaleTo(0.434)).toEqual({ end: 0.6, ticks: [0, 0.2, 0.4, 0.6] });
-  expect(scaleTo(4)).toEqual({ end: 4, ticks: [0, 1, 2, 3, 4] });
-  expect(scaleTo(0)).toEqual({ end: 1, ticks: [0] });
 });
 
 it("a place's scenario has its fields and shares the rest", () => {

@@ -1,6 +1,7 @@
 import { expect, it } from "vitest";
 import type { BatchSummary, Strategy } from "../../api/types";
-import { spreadChart, tornadoChart } from "./paperSpread";
+import { ON_PAPER } from "../../plots/palettes";
+import { spreadChart, tornadoChart } from "./charts";
 
 const figure = {
   key: "bump.body_acceleration.peak",
@@ -28,6 +29,7 @@ it("The spread's file has a row and a bar for each strategy, in the page's units
       { id: "lqr", label: "LQR" },
     ] as unknown as Strategy[],
     figure,
+    ON_PAPER,
   );
   expect(table?.at(-1)).toEqual(["LV control", 2, 1, 2, 3, 4, 5, 9]);
   expect(table?.[0]?.[1]).toBe(`Nominal: ${TITLE}`);
@@ -42,8 +44,8 @@ it("The file of the fields alone has both ends of each with their places; one th
   const { figure: drawn, table } = tornadoChart(
     { nominal: 0.002, bars: [{ field, low: end(0.001), high: null, span: 1 }] },
     figure,
-    ["Seed"],
-    [["1", ""]],
+    (_, at) => String(at),
+    ON_PAPER,
   );
   expect(drawn.data.map((trace) => trace.x)).toEqual([
     [2, 1, null],
@@ -51,6 +53,6 @@ it("The file of the fields alone has both ends of each with their places; one th
   ]);
   expect(table?.slice(1)).toEqual([
     ["The scenario itself", "", 2, "", 2],
-    ["Seed", "1", 1, "", null],
+    ["road", "2", 1, null, null],
   ]);
 });

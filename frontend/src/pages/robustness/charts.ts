@@ -1,13 +1,15 @@
-/** The spread and the fields alone as charts for a file: the page draws both as plain bars. */
+/** The spread of a figure under each strategy, and each field alone, as plotly draws them on the page and in a file. */
 
 import type { BatchSummary, Strategy } from "../../api/types";
 import { fullName, type Metric } from "../../server/metrics";
-import { chartLayout, ON_PAPER } from "../../plots/palettes";
+import { chartLayout, type Palette } from "../../plots/palettes";
 import type { ChartOnPaper } from "../../plots/paperChart";
 import type { LineTrace, PointTrace } from "../../plots/plotly";
 import { titleWithUnit } from "../../units/format";
 import { quantile } from "./summary";
-import type { Tornado } from "./tornado";
+import type { End, Tornado } from "./tornado";
+import { nameOf } from "./names";
+import type { Cell } from "../../features/sweep/table";
 
 type Ends = readonly [number | null | undefined, number | null | undefined];
 
@@ -29,7 +31,12 @@ const bars = (
   y: names.flatMap((_, index) => [index + shift, index + shift, null]),
 });
 
-function points(name: string, values: readonly (number | null | undefined)[], symbol: string): PointTrace {
+function points(
+  name: string,
+  values: readonly (number | null | undefined)[],
+  symbol: string,
+  color: string,
+): PointTrace {
   const there = values.flatMap((value, index) => (typeof value === "number" ? [{ value, index }] : []));
   return {
     type: "scatter",
@@ -38,13 +45,14 @@ function points(name: string, values: readonly (number | null | undefined)[], sy
     customdata: [],
     x: there.map(({ value }) => value),
     y: there.map(({ index }) => index),
-    marker: { color: ON_PAPER.text, symbol, size: 9, line: { color: ON_PAPER.text, width: 2 } },
+    marker: { color, symbol, size: 9, line: { color, width: 2 } },
+    hovertemplate: `${name}: %{x:.3~g}<extra></extra>`,
   };
 }
 
 /** The first name stands above. */
-const layoutOf = (title: string, names: readonly string[], rest: object) =>
-  chartLayout(ON_PAPER, {
+const layoutOf = (palette: Palette, title: string, names: readonly string[], rest: object) =>
+  chartLayout(palette, {
     margin: { r: 12 },
     xaxis: { title: { text: title.replace(", ", ",<br>") }, ...rest },
     yaxis: {
@@ -57,7 +65,12 @@ const layoutOf = (title: string, names: readonly string[], rest: object) =>
 
 const PERCENTS = [5, 25, 50, 75, 95];
 
-export function spreadChart(summary: BatchSummary, strategies: readonly Strategy[], figure: Metric): ChartOnPaper {
+export function spreadChart(
+  summary: BatchSummary,
+  strategies: readonly Strategy[],
+  figure: Metric,
+  palette: Palette,
+): ChartOnPaper {
   const rows = strategies.flatMap(({ id, label }) => {
     const results = summary.strategies[id]?.figures[figure.key];
     const scaled = (value: number | null | undefined) => (typeof value === "number" ? value * figure.scale : null);
@@ -93,20 +106,23 @@ export function spreadChart(summary: BatchSummary, strategies: readonly Strategy
       "Median",
       rows.map(({ quantiles: [, , median] }) => median),
       "line-ns",
+      palette.text,
     ),
     points(
       "Nominal",
       rows.map(({ nominal }) => nominal),
       "diamond-open",
+      palette.text,
     ),
     points(
       "Worst case",
       rows.map(({ worst }) => worst),
       "circle-open",
+      palette.text,
     ),
   ];
   return {
-    figure: { data, layout: layoutOf(title, names, { rangemode: "tozero" }) },
+    figure: { data, layout: layoutOf(palette, title, names, { rangemode: "tozero" }) },
     legend: data.map(({ name }) => name),
     table: [
       [
@@ -118,13 +134,14 @@ export function spreadChart(summary: BatchSummary, strategies: readonly Strategy
   };
 }
 
-/** `names` and `ends` are those of the bars' fields and of their ends' places, as the page writes them. */
+/** `fieldText` is a field's value as the page writes it. */
 export function tornadoChart(
   { nominal, bars: fields }: Tornado,
   figure: Metric,
-  names: readonly string[],
-  places: readonly (readonly [string, string])[],
+  fieldText: (name: string, value: Cell) => string,
+  palette: Palette,
 ): ChartOnPaper {
+  const names = fields.map(({ field }) => nameOf(field.name, [field]));
   const base = nominal * figure.scale;
   const title = titleWithUnit(fullName(figure), figure.unit);
   const valueOf = (side: "low" | "high") =>
@@ -135,14 +152,14 @@ export function tornadoChart(
     bars("Lowest value of the field", names, fromBase(low), "#9db8d9", 5, -0.2),
     bars("Highest value of the field", names, fromBase(high), "#3b6fb5", 5, 0.2),
   ];
-  const layout = layoutOf(title, names, {});
+  const layout = layoutOf(palette, title, names, {});
   return {
     figure: {
       data,
       layout: {
         ...layout,
         shapes: [
-          { type: "line", x0: base, x1: base, yref: "paper", y0: 0, y1: 1, line: { color: ON_PAPER.text, width: 1 } },
+          { type: "line", x0: base, x1: base, yref: "paper", y0: 0, y1: 1, line: { color: palette.text, width: 1 } },
         ],
       },
     },
@@ -150,7 +167,10 @@ export function tornadoChart(
     table: [
       ["Field", "Lowest", title, "Highest", title],
       ["The scenario itself", "", base, "", base],
-      ...names.map((name, index) => [name, places[index]?.[0], low[index], places[index]?.[1], high[index]]),
+      ...fields.map((bar, index) => {
+        const at = (end: End | null) => end && fieldText(bar.field.name, end.at);
+        return [names[index], at(bar.low), low[index], at(bar.high), high[index]];
+      }),
     ],
   };
 }
