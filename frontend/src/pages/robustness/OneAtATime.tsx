@@ -11,6 +11,7 @@ import { tableQuery } from "../../features/sweep/table";
 import { BATCH, jobQuery } from "../../jobs/useJob";
 import { formatPercent } from "../../features/tables/change";
 import { formatResult, prettyUnit } from "../../units/format";
+import { humanise } from "../../scenario/schema";
 import { nameOf, useFieldText } from "./names";
 import { tornadoChart } from "./charts";
 import { RunButton } from "./RunButton";
@@ -104,8 +105,8 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
       }
     >
       <Note className={ui.note ?? ""}>
-        One field at its lowest and its highest value, all others as in the scenario. A bar to the right is worse. A
-        click on a change opens its run.
+        One field at its lowest value (light) and its highest (dark), all others as in the scenario. A bar to the right
+        is worse. A click on a change opens its run.
       </Note>
       {opening.error !== null && (
         <Fault size="md" className={ui.note ?? ""}>
@@ -132,7 +133,7 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
 }
 
 /** Of a field, and of the axis [px]. */
-const [ROW, AROUND] = [28, 58];
+const [ROW, AROUND] = [28, 70];
 
 interface EndsProps extends Pick<StudyParts, "batch" | "opening"> {
   readonly tornado: Tornado;
@@ -156,7 +157,7 @@ function Ends({ tornado: { nominal, bars }, figure: { scale, unit }, opening, ba
       group,
       head: "change",
       detail: nominal === 0 ? "" : `of ${shown(nominal)}`,
-      attributes: ({ [side]: end }) => ({ "data-bad": (end && end.value > nominal) || undefined }),
+      attributes: ({ [side]: end }) => ({ "data-bad": end !== null && end.value > nominal ? true : undefined }),
       cell: ({ field, [side]: end }) =>
         end && (
           <RunButton
@@ -180,7 +181,7 @@ function Ends({ tornado: { nominal, bars }, figure: { scale, unit }, opening, ba
       rowKey={({ field }) => field.name}
       rowAttributes={({ field }) => ({ "data-field": field.name })}
       columns={[
-        { key: "field", head: "Field", text: true, cell: ({ field }) => nameOf(field.name, [field]) },
+        { key: "field", head: "Field", text: true, cell: ({ field }) => humanise(nameOf(field.name, [field])) },
         ...columnsOf("low", "At its lowest value"),
         ...columnsOf("high", "At its highest value"),
       ]}

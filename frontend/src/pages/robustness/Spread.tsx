@@ -148,4 +148,4 @@ function Intervals({ summary, strategies, figure }: IntervalsProps) {
 }
 
 /** Of a strategy, and of the axis [px]. */
-const [ROW, AROUND] = [28, 58];
+const [ROW, AROUND] = [28, 70];

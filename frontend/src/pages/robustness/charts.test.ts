@@ -44,7 +44,7 @@ it("The file of the fields alone has both ends of each with their places; one th
   const { figure: drawn, table } = tornadoChart(
     { nominal: 0.002, bars: [{ field, low: end(0.001), high: null, span: 1 }] },
     figure,
-    (_, at) => String(at),
+    (_, at) => (typeof at === "number" ? String(at) : ""),
     ON_PAPER,
   );
   expect(drawn.data.map((trace) => trace.x)).toEqual([
@@ -53,6 +53,6 @@ it("The file of the fields alone has both ends of each with their places; one th
   ]);
   expect(table?.slice(1)).toEqual([
     ["The scenario itself", "", 2, "", 2],
-    ["road", "2", 1, null, null],
+    ["Road", "2", 1, null, null],
   ]);
 });

@@ -9,6 +9,7 @@ import { titleWithUnit } from "../../units/format";
 import { quantile } from "./summary";
 import type { End, Tornado } from "./tornado";
 import { nameOf } from "./names";
+import { humanise } from "../../scenario/schema";
 import type { Cell } from "../../features/sweep/table";
 
 type Ends = readonly [number | null | undefined, number | null | undefined];
@@ -53,7 +54,7 @@ function points(
 /** The first name stands above. */
 const layoutOf = (palette: Palette, title: string, names: readonly string[], rest: object) =>
   chartLayout(palette, {
-    margin: { r: 12 },
+    margin: { l: 8, r: 12, t: 8, b: 8 },
     xaxis: { title: { text: title.replace(", ", ",<br>") }, ...rest },
     yaxis: {
       tickvals: names.map((_, index) => index),
@@ -141,7 +142,7 @@ export function tornadoChart(
   fieldText: (name: string, value: Cell) => string,
   palette: Palette,
 ): ChartOnPaper {
-  const names = fields.map(({ field }) => nameOf(field.name, [field]));
+  const names = fields.map(({ field }) => humanise(nameOf(field.name, [field])));
   const base = nominal * figure.scale;
   const title = titleWithUnit(fullName(figure), figure.unit);
   const valueOf = (side: "low" | "high") =>
