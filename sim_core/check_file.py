@@ -11,12 +11,16 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.check_controller import check_controller, failure
 from sim_core.control.controller import Controller
-from sim_core.controller_files import ControllerFileError, load_controllers
-from sim_core.scenario import Scenario
+from sim_core.controller_files import ControllerFileError, load_controllers, run_anew
+from sim_core.scenario import Bump, Road, Scenario, Vehicle
 from sim_core.simulate import simulate
 
 FAULTS, UNUSABLE = 1, 2
 MEMORY = 2**31  # a process that checks may have, so that a law that takes ever more is told so [bytes]
+_HEAVY = Scenario(
+    vehicle=Vehicle(body_mass=1800, pitch_inertia=2300, cg_to_front=1.2, front_spring=35_000, front_damping=4000),
+    road=Road(length=60, bump=Bump(start=30)),
+)
 _WIDTH, _HEIGHT, _MARGIN = 800, 300, 40  # of the picture
 _AXLES = (("front", "#1C5FDF"), ("rear", "#C0300C"))
 
@@ -76,9 +80,15 @@ def _check(controller: type[Controller], file: Path) -> Check:
     if not faults:
         try:
             drawing = _picture(controller)
+            unused = run_anew(file.absolute())[controller.id]  # has seen no other car
+            if simulate(_HEAVY, controller).summary() != simulate(_HEAVY, unused).summary():
+                faults = [
+                    "A run depends on the car of an earlier one: numbers of it are kept outside the object, such as a "
+                    "gain in the class; make them in start"
+                ]
         except (Exception, SystemExit) as error:  # noqa: BLE001 - the paper's road is longer than the check's
             faults = [failure(error, controller)]
-        else:
+        if not faults:
             picture = file.with_name(f"{controller.id}-forces.svg")
             picture.write_text(drawing, encoding="utf-8")
     return Check(id=controller.id, label=str(controller.label), faults=faults, picture=picture)

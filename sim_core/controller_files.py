@@ -78,9 +78,14 @@ def load_controllers(file: str | Path) -> Controllers:
     path = Path(file).absolute()
     loaded = _loaded.get(path)
     if loaded is None or loaded.signature != signature(path, files_of(loaded.controllers)):
-        controllers = LOADERS.get(path.suffix, _run)(path)
+        controllers = run_anew(path)
         loaded = _loaded[path] = _Loaded(signature=signature(path, files_of(controllers)), controllers=controllers)
     return dict(loaded.controllers)
+
+
+def run_anew(path: Path) -> Controllers:
+    """The controllers of a file that is run again although it has not changed; raises ControllerFileError."""
+    return LOADERS.get(path.suffix, _run)(path)
 
 
 def named_controllers() -> Controllers:

@@ -61,6 +61,7 @@ def test_no_file_is_written_over_and_a_name_is_an_id(cli: Cli, file: Path) -> No
         ("import os; os._exit(0)", 2, "it ended Python with the code 0"),
         ("while True: pass", 2, "it was ended after 3 s; has it a loop without an end?"),
         ("(", 2, "SyntaxError"),
+        ("return globals().setdefault('arms', self.arms) * seen.state[5]", 1, "depends on the car of an earlier one"),
     ],
 )
 def test_a_broken_law_is_told_in_words(
