@@ -265,6 +265,9 @@ def violations(part: Locator, rules: list[str], more: Sequence[str] = ()) -> lis
         page.evaluate(AXE.read_text())  # by the debugger, which a page's policy does not bind
     found: list[tuple[str, list[str]]] = part.evaluate(
         """async (part, [runOnly, more, exclude]) => {
+          await new Promise(requestAnimationFrame);  // by then colours that fade have begun to
+          const fading = document.getAnimations().filter(({effect}) => effect.getComputedTiming().endTime < Infinity);
+          await Promise.allSettled(fading.map(({finished}) => finished));
           const rules = Object.fromEntries(more.map(rule => [rule, {enabled: true}]));
           const what = {include: [part], exclude};
           const {violations} = await axe.run(what, {runOnly, rules, resultTypes: ['violations'], preload: false});
