@@ -6,9 +6,9 @@ import json
 import re
 import socket
 import threading
-from collections.abc import Callable, Coroutine, Iterator
+from collections.abc import Coroutine, Iterator
 from contextlib import closing
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, TypeVar
 
 import httpx
@@ -20,6 +20,7 @@ from backend.__main__ import listen
 from backend.app import create_app
 from backend.compute import workers
 from backend.http.server import server_config
+from backend.services import Services
 from backend.settings import Settings
 from backend.store import Store
 from sim_core.scenario import Scenario
@@ -36,27 +37,33 @@ HEIGHTS = (0.04 + 1e-5 * number for number in itertools.count(1))
 ROAD = {"length": 130, "bump": {"start": 90}}  # not the paper's, so that stored paper runs never matter here
 
 
-@dataclass
-class Service:
-    """The running service: its HTTP client, the application behind it, and the event loop that it runs in."""
+class Service(httpx.Client):
+    """Asks the running service over HTTP; beside it the application, and the event loop that it runs in."""
 
-    client: httpx.Client
-    app: FastAPI
-    loop: asyncio.AbstractEventLoop
+    def __init__(self, address: str, app: FastAPI, loop: asyncio.AbstractEventLoop) -> None:
+        super().__init__(base_url=address, timeout=HANG_TIMEOUT, event_hooks={"response": [check_described]})
+        self.app = app
+        self.loop = loop
+
+    @property
+    def services(self) -> Services:
+        """What the application's routes call."""
+        services: Services = self.app.state.services
+        return services
 
     def run(self, strategies: list[str], scenario: dict[str, Any] | None = None) -> httpx.Response:
-        return self.client.post("/api/v1/runs", json={"scenario": scenario or {}, "strategies": strategies})
+        return self.post("/api/v1/runs", json={"scenario": scenario or {}, "strategies": strategies})
 
     def live(self, strategies: list[str], scenario: dict[str, Any] | None = None, **more: Any) -> httpx.Response:
         body = {"scenario": scenario or {}, "strategies": strategies, **more}
-        return self.client.post("/api/v1/live", json=body)
+        return self.post("/api/v1/live", json=body)
 
     def begun(self, method: str, path: str, body: Any = None) -> socket.socket:
         """The connection of a request that was sent and is not answered yet; who closes it goes away."""
         content = json.dumps(body).encode() if body is not None else b""
         kind = "Content-Type: application/json\r\n" if body is not None else ""
-        assert self.client.base_url.port is not None
-        connection = socket.create_connection((self.client.base_url.host, self.client.base_url.port))
+        assert self.base_url.port is not None
+        connection = socket.create_connection((self.base_url.host, self.base_url.port))
         head = f"{method} {path} HTTP/1.1\r\nHost: x\r\n{kind}Content-Length: {len(content)}\r\n\r\n"
         connection.sendall(head.encode() + content)
         return connection
@@ -87,10 +94,9 @@ def serve(settings: Settings) -> Iterator[Service]:
         thread.start()
         try:
             DESCRIBED.update({} if DESCRIBED else app.openapi()["paths"])
-            hooks: dict[str, list[Callable[..., Any]]] = {"response": [check_described]}
-            with httpx.Client(base_url=address, timeout=HANG_TIMEOUT, event_hooks=hooks) as client:
-                wait_until(lambda: ready(client), "the service gets ready")
-                yield Service(client=client, app=app, loop=server.loop)
+            wait_until(lambda: ready(address), "the service gets ready")
+            with Service(address, app, server.loop) as service:
+                yield service
         finally:
             server.should_exit = True
             thread.join()
@@ -109,9 +115,9 @@ def check_described(response: httpx.Response) -> None:
             assert str(response.status_code) in operation["responses"], f"{name} does not describe {response}"
 
 
-def ready(client: httpx.Client) -> bool:
+def ready(address: str) -> bool:
     try:
-        return client.get("/readyz").status_code == 200
+        return httpx.get(f"{address}/readyz").status_code == 200
     except httpx.TransportError:
         return False
 
@@ -136,12 +142,12 @@ def with_tokens(
 @pytest.fixture(scope="session")
 def reproduced(service: Service) -> None:
     """The service has the paper's reproduction stored."""
-    store_in(service.app.state.services.store)
+    store_in(service.services.store)
 
 
 @pytest.fixture(scope="session")
 def client(service: Service) -> httpx.Client:
-    return service.client
+    return service
 
 
 @pytest.fixture(scope="session")
@@ -167,20 +173,20 @@ def fresh(service: Service, road: dict[str, Any]) -> Any:
 @pytest.fixture
 def worker_calls(service: Service, monkeypatch: pytest.MonkeyPatch) -> list[tuple[Any, ...]]:
     """What the workers are asked for during the test: function and arguments of each call, cost at the end."""
-    calls, call = list[tuple[Any, ...]](), service.app.state.services.workers.call
+    calls, call = list[tuple[Any, ...]](), service.services.workers.call
 
     async def noted(function: Any, *arguments: Any, **queued: Any) -> Any:
         calls.append((function, *arguments, queued.get("cost", 0.0)))
         return await call(function, *arguments, **queued)
 
-    monkeypatch.setattr(service.app.state.services.workers, "call", noted)
+    monkeypatch.setattr(service.services.workers, "call", noted)
     return calls
 
 
 @pytest.fixture
 def lqr_fails(service: Service, monkeypatch: pytest.MonkeyPatch) -> int:
     """During the test no run of LQR succeeds on the road of the seed that this gives."""
-    call, seed = service.app.state.services.workers.call, 72
+    call, seed = service.services.workers.call, 72
 
     async def refused(function: Any, scenario: Scenario, *arguments: Any, **queued: Any) -> Any:
         outcomes = await call(function, scenario, *arguments, **queued)
@@ -189,7 +195,7 @@ def lqr_fails(service: Service, monkeypatch: pytest.MonkeyPatch) -> int:
             outcomes["lqr"] = replace(outcomes["lqr"], status="failed", json=reason, compute_ms=1.0, series=None)
         return outcomes
 
-    monkeypatch.setattr(service.app.state.services.workers, "call", refused)
+    monkeypatch.setattr(service.services.workers, "call", refused)
     return seed
 
 

@@ -32,12 +32,12 @@ def told_of(service: Service, folder: Path) -> Iterator[Path]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv(VARIABLE, str(folder))
         yield folder
-    service.client.get("/api/v1/strategies")  # which forgets them
+    service.get("/api/v1/strategies")  # which forgets them
 
 
 def own(service: Service) -> dict[str, Any]:
     """The service's own controllers by id."""
-    return {each["id"]: each for each in service.client.get("/api/v1/strategies").json() if each["own"]}
+    return {each["id"]: each for each in service.get("/api/v1/strategies").json() if each["own"]}
 
 
 def driven(service: Service, strategies: list[str], scenario: dict[str, Any] = SCENARIO) -> dict[str, Any]:

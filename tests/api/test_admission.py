@@ -4,7 +4,6 @@ from collections import Counter
 from contextlib import AbstractContextManager, ExitStack
 from typing import Any
 
-import httpx
 import pytest
 
 from backend.errors import BusyError, TooManyRequestsError
@@ -100,15 +99,15 @@ def test_what_was_admitted_as_a_whole_is_not_refused_half_way() -> None:
 
 
 def test_a_refusal_comes_before_anything_is_looked_up(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    gate = service.app.state.services.gate
+    gate = service.services.gate
     looked_up: list[str] = []  # `store.read` stays as it is: what drives the batches beside needs it
-    monkeypatch.setattr(service.app.state.services.store.runs, "load", looked_up.append)
-    monkeypatch.setattr(service.app.state.services.store.runs, "load_results", looked_up.extend)
+    monkeypatch.setattr(service.services.store.runs, "load", looked_up.append)
+    monkeypatch.setattr(service.services.store.runs, "load_results", looked_up.extend)
     with ExitStack() as held:
         for _ in range(64):
             held.enter_context(gate.hold("127.0.0.1", requests=1))
         for path in ("runs", "live"):
-            response = service.client.post(f"/api/v1/{path}", json={"strategies": ["passive"]})
+            response = service.post(f"/api/v1/{path}", json={"strategies": ["passive"]})
             assert response.status_code == 429
             assert int(response.headers["retry-after"]) > 0
         held.enter_context(gate.hold("192.0.2.1", requests=1))
@@ -118,22 +117,23 @@ def test_a_refusal_comes_before_anything_is_looked_up(service: Any, monkeypatch:
 
 
 def test_a_request_that_would_wait_too_long_is_refused_before_its_body_is_read(
-    service: Any, client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+    service: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    gate, now = service.app.state.services.gate, 0.0
+    gate, now = service.services.gate, 0.0
     monkeypatch.setattr(gate, "_backlog", Backlog(workers=1, max_wait=1, clock=lambda: now))
     with ExitStack() as held:
         for number in range(2):
             held.enter_context(gate.admitted(f"192.0.2.{number}"))
         now = 9.5
         assert gate.load["wait"] == 9.5
-        answer = client.post("/api/v1/runs", content=b"no JSON", headers={"Content-Type": "application/json"})
+        answer = service.post("/api/v1/runs", content=b"no JSON", headers={"Content-Type": "application/json"})
         assert (answer.status_code, answer.headers["retry-after"]) == (503, "10")
         assert answer.json()["type"].endswith(":full")
-        assert client.get("/api/v1/runs/nobody/figures").status_code == 503
-        assert client.get("/api/v1/runs/nobody").status_code == 404, "what is only read is read"
+        assert service.get("/api/v1/runs/nobody/figures").status_code == 503
+        assert service.get("/api/v1/runs/nobody").status_code == 404, "what is only read is read"
     assert (
-        client.post("/api/v1/runs", content=b"no JSON", headers={"Content-Type": "application/json"}).status_code == 400
+        service.post("/api/v1/runs", content=b"no JSON", headers={"Content-Type": "application/json"}).status_code
+        == 400
     )
 
 
@@ -187,7 +187,7 @@ def test_an_ipv6_network_is_one_client(address: str, key: str) -> None:
 
 
 def test_downloads_tables_figures_and_reports_count_like_runs(service: Any, run: dict[str, Any]) -> None:
-    gate, client = service.app.state.services.gate, service.client
+    gate, client = service.services.gate, service
     heights = "distance [m],height [mm]\n" + "".join(f"{0.1 * step:.1f},{step % 7}\n" for step in range(500))
     road = client.post("/api/v1/roads", content=heights, headers={"Content-Type": "text/csv"})
     asked = {"scenario": run["scenario"], "strategies": ["passive"], "sweep": {"grid": {"road.bump.height": [0.01]}}}
@@ -216,7 +216,7 @@ def test_downloads_tables_figures_and_reports_count_like_runs(service: Any, run:
 
 
 def test_a_full_service_answers_what_is_stored_and_for_health(service: Any, run: dict[str, Any]) -> None:
-    gate, new = service.app.state.services.gate, {"road": {"length": 150, "seed": 9001}}
+    gate, new = service.services.gate, {"road": {"length": 150, "seed": 9001}}
     with ExitStack() as held:
         for _ in range(64):
             held.enter_context(gate.hold("127.0.0.1", computing=1))
@@ -224,14 +224,14 @@ def test_a_full_service_answers_what_is_stored_and_for_health(service: Any, run:
         assert (refused.status_code, int(refused.headers["retry-after"]) > 0) == (429, True)
         assert service.run(list(run["strategies"]), run["scenario"]).status_code == 200
         for path in (f"/api/v1/runs/{run['id']}", "/api/v1/schema", "/healthz", "/readyz"):
-            assert service.client.get(path).status_code == 200
+            assert service.get(path).status_code == 200
     assert service.live(["passive"], new).status_code == 200
 
 
 def test_of_one_clients_lists_some_are_made_at_a_time_and_nothing_else_waits_for_them(
     service: Any, run: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    services = service.app.state.services
+    services = service.services
     turns, batches, pages = services.gate.reading("127.0.0.1"), services.batches, Counter[str]()
     page = batches.page
 
@@ -255,7 +255,7 @@ def test_of_one_clients_lists_some_are_made_at_a_time_and_nothing_else_waits_for
     with service.begun("GET", "/api/v1/batches") as left, service.begun("GET", "/api/v1/batches") as stays:
         wait_until(lambda: service.inside(waiting()) == 2, "both wait for their turn")
         assert service.run(list(run["strategies"]), run["scenario"]).status_code == 200
-        assert service.client.get(f"/api/v1/runs/{run['id']}").status_code == 200
+        assert service.get(f"/api/v1/runs/{run['id']}").status_code == 200
         assert not services.gate.reading("127.0.0.2").locked()
         left.close()
         wait_until(lambda: service.inside(waiting()) == 1, "who has gone waits no more")

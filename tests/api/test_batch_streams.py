@@ -3,7 +3,6 @@
 import asyncio
 from typing import Any
 
-import httpx
 import pytest
 from sqlalchemy.exc import OperationalError
 
@@ -13,14 +12,12 @@ from tests.servers.batches import wait_for
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
 
-def test_a_stream_outlives_a_database_that_is_away(
-    service: Any, client: httpx.Client, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_stream_outlives_a_database_that_is_away(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     batch = wait_for(
-        client, submit(client, {"list": [{"road.bump.height": 0.05}]}, strategies=["passive"]).json()["id"]
+        service, submit(service, {"list": [{"road.bump.height": 0.05}]}, strategies=["passive"]).json()["id"]
     )
-    store = service.app.state.services.store
-    heard, news, fails = events(client, batch["id"]), store.job_events.news, iter([True, True, False])
+    store = service.services.store
+    heard, news, fails = events(service, batch["id"]), store.job_events.news, iter([True, True, False])
 
     def unreliable(*arguments: Any) -> Any:
         if next(fails, False):
@@ -28,11 +25,11 @@ def test_a_stream_outlives_a_database_that_is_away(
         return news(*arguments)
 
     monkeypatch.setattr(store.job_events, "news", unreliable)
-    assert events(client, batch["id"]) == heard
+    assert events(service, batch["id"]) == heard
 
 
 def test_a_stream_reads_nothing_when_another_job_changes(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    store, reads = service.app.state.services.store, asyncio.Queue[str]()
+    store, reads = service.services.store, asyncio.Queue[str]()
 
     def news(job_id: str, _: int) -> tuple[list[Any], bool]:
         service.loop.call_soon_threadsafe(reads.put_nowait, job_id)
@@ -42,7 +39,7 @@ def test_a_stream_reads_nothing_when_another_job_changes(service: Any, monkeypat
     monkeypatch.setattr(store.job_events, "news", news)
 
     async def follow() -> int:
-        stream = aiter(await server_sent(store, "mine", 0, service.app.state.services.gate, "somebody"))
+        stream = aiter(await server_sent(store, "mine", 0, service.services.gate, "somebody"))
         await anext(stream)
         rest = asyncio.ensure_future(anext(stream))
         await reads.get()
@@ -59,10 +56,10 @@ def test_a_stream_reads_nothing_when_another_job_changes(service: Any, monkeypat
     assert service.inside(follow()) == 0
 
 
-def test_head_of_the_events_of_a_running_batch_is_answered_at_once(service: Any, client: httpx.Client) -> None:
-    batch = submit(client, {"grid": {"road.seed": list(range(1, 1001))}}, scenario=LONG, strategies=["lv"]).json()
+def test_head_of_the_events_of_a_running_batch_is_answered_at_once(service: Any) -> None:
+    batch = submit(service, {"grid": {"road.seed": list(range(1, 1001))}}, scenario=LONG, strategies=["lv"]).json()
     path = f"/api/v1/batches/{batch['id']}"
-    head = client.head(f"{path}/events")
+    head = service.head(f"{path}/events")
     assert (head.status_code, head.headers["content-type"]) == (200, "text/event-stream; charset=utf-8")
-    wait_until(lambda: not service.app.state.services.gate.load["streams"], "the stream has ended")
-    assert client.post(f"{path}/cancel").json()["done"] < 1000
+    wait_until(lambda: not service.services.gate.load["streams"], "the stream has ended")
+    assert service.post(f"{path}/cancel").json()["done"] < 1000

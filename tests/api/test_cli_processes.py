@@ -197,14 +197,14 @@ def test_sigterm_names_the_batch_and_leaves_it_alone(client: httpx.Client, tmp_p
 
 @pytest.mark.usefixtures("no_service_left")
 def test_ctrl_c_on_an_export_leaves_the_batch_alone(service: Service, tmp_path: Path) -> None:
-    client = service.client
+    client = service
     body = {"scenario": LONG, "strategies": ["lv"], "sweep": {"grid": {"road.seed": list(range(200, 277))}}}
     client.post("/api/v1/batches", json=body).raise_for_status()
     batch_id = running_batch(client, 77)
     server, out = str(client.base_url).rstrip("/"), tmp_path / "rows.csv"
     arguments = command("export", batch_id, "--wait", "--out", str(out), "--server", server)
     process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
-    wait_until(lambda: service.app.state.services.gate.load["streams"] == 1, "it waits for the batch")
+    wait_until(lambda: service.services.gate.load["streams"] == 1, "it waits for the batch")
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=HANG_TIMEOUT)
     assert process.returncode == 130

@@ -28,7 +28,7 @@ SMALL: dict[str, Any] = {
 
 
 def post(service: Service, path: str, scenario: dict[str, Any] | None = None) -> httpx.Response:
-    return service.client.post(f"/api/v1/controller{path}", json={"scenario": scenario or SMALL})
+    return service.post(f"/api/v1/controller{path}", json={"scenario": scenario or SMALL})
 
 
 def test_lv_hil_runs_the_program_in_a_process_of_its_own_which_is_gone_afterwards(service: Service) -> None:
@@ -47,7 +47,7 @@ def test_the_archive_is_complete_and_the_same_every_time(service: Service) -> No
     assert first.status_code == 200
     assert first.headers["content-type"] == "application/zip"
     assert first.headers["content-disposition"] == 'attachment; filename="ridelab-controller.zip"'
-    with Ridelab(str(service.client.base_url)) as ridelab:
+    with Ridelab(str(service.base_url)) as ridelab:
         assert ridelab.controller(SMALL) == first.content
     with zipfile.ZipFile(io.BytesIO(first.content)) as archive:
         names = {name.removeprefix("ridelab-controller/") for name in archive.namelist()}
@@ -67,7 +67,7 @@ class Driven:
 
 @pytest.fixture(scope="module")
 def driven(service: Service) -> Driven:
-    workers, begun, may_drive = service.app.state.services.workers, threading.Event(), threading.Event()
+    workers, begun, may_drive = service.services.workers, threading.Event(), threading.Event()
     original = workers.call
 
     async def held(function: Any, *arguments: Any, **options: Any) -> Any:
@@ -79,7 +79,7 @@ def driven(service: Service) -> Driven:
     with (
         pytest.MonkeyPatch.context() as patch,
         ThreadPoolExecutor(1) as thread,
-        Ridelab(str(service.client.base_url)) as ridelab,
+        Ridelab(str(service.base_url)) as ridelab,
     ):
         patch.setattr(workers, "call", held)
         drive = thread.submit(ridelab.realtime, SMALL)
@@ -115,7 +115,7 @@ def test_the_report_has_the_scenarios_own_controller_first(service: Service, mon
     for row in rows:
         assert 0 < row["time"]["least"] <= row["time"]["most"]
         assert row["fits"] == (not row["reasons"])
-    monkeypatch.setattr(service.app.state.services.workers, "call", None)
+    monkeypatch.setattr(service.services.workers, "call", None)
     assert post(service, "/report").json() == answer.json(), "it is not made again"
 
 

@@ -61,72 +61,68 @@ def figures(run: Any) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("ask", ["read", "requested again", "part of another run"])
-def test_a_damaged_result_of_a_run_is_computed_again(
-    service: Any, client: httpx.Client, fresh: dict[str, Any], ask: str
-) -> None:
-    store: Store = service.app.state.services.store
-    key, before = key_of(store, fresh["id"]), dropped(client)
+def test_a_damaged_result_of_a_run_is_computed_again(service: Any, fresh: dict[str, Any], ask: str) -> None:
+    store: Store = service.services.store
+    key, before = key_of(store, fresh["id"]), dropped(service)
     with store.reading() as connection:
         stored = text(connection, key)
     damage(store, key)
     if ask == "read":
-        answer = client.get(f"/api/v1/runs/{fresh['id']}").json()
+        answer = service.get(f"/api/v1/runs/{fresh['id']}").json()
     else:
         names = ["passive"] if ask == "part of another run" else ["passive", "lv"]
         answer = service.run(names, fresh["scenario"]).json()
     assert figures(answer)["passive"] == figures(fresh)["passive"]
-    assert dropped(client) == before + 1
+    assert dropped(service) == before + 1
     with store.reading() as connection:
         assert text(connection, key) == stored
-    assert figures(client.get(f"/api/v1/runs/{fresh['id']}").json()) == figures(fresh)
-    assert dropped(client) == before + 1, "it is whole again"
+    assert figures(service.get(f"/api/v1/runs/{fresh['id']}").json()) == figures(fresh)
+    assert dropped(service) == before + 1, "it is whole again"
 
 
-def test_a_batch_computes_a_damaged_result_again(service: Any, client: httpx.Client, road: dict[str, Any]) -> None:
+def test_a_batch_computes_a_damaged_result_again(service: Any, road: dict[str, Any]) -> None:
     sweep = {"grid": {"road.bump.height": [next(HEIGHTS) for _ in range(3)]}}
     body = {"scenario": {"road": road}, "strategies": ["passive"], "sweep": sweep}
-    batch = client.post("/api/v1/batches", json=body).raise_for_status().json()
-    whole = batches.wait_for(client, batch["id"]), batches.rows(client, batch["id"])
-    store: Store = service.app.state.services.store
+    batch = service.post("/api/v1/batches", json=body).raise_for_status().json()
+    whole = batches.wait_for(service, batch["id"]), batches.rows(service, batch["id"])
+    store: Store = service.services.store
     with store.reading() as connection:
         of_batch = select(job_runs.c.result_key).where(job_runs.c.job_id == batch["id"], job_runs.c.position == 1)
         key = connection.execute(of_batch).scalar_one()
     damage(store, key)
-    meanwhile = [row["status"] for row in batches.rows(client, batch["id"])]
+    meanwhile = [row["status"] for row in batches.rows(service, batch["id"])]
     assert meanwhile == ["ok", "waiting", "ok"]
-    again = batches.wait_for(client, batch["id"]), batches.rows(client, batch["id"])
+    again = batches.wait_for(service, batch["id"]), batches.rows(service, batch["id"])
     assert (again[0]["done"], again[0]["state"]) == (3, "done")
     took = {"compute_ms": 0.0}
     assert [row | took for row in again[1]] == [row | took for row in whole[1]]
 
 
-def test_the_reader_of_a_link_is_told(service: Any, client: httpx.Client, fresh: dict[str, Any]) -> None:
-    slug = share(client, fresh["id"])["slug"]
-    before = opened(client, slug)
+def test_the_reader_of_a_link_is_told(service: Any, fresh: dict[str, Any]) -> None:
+    slug = share(service, fresh["id"])["slug"]
+    before = opened(service, slug)
     assert before["damaged_at"] is None
-    damage(service.app.state.services.store, key_of(service.app.state.services.store, fresh["id"]))
+    damage(service.services.store, key_of(service.services.store, fresh["id"]))
     for _ in range(2):
-        link = opened(client, slug)
+        link = opened(service, slug)
         assert link["damaged_at"] > link["created_at"]
         assert figures(link["run"]) == figures(fresh)
 
 
-def test_damaged_time_histories_of_a_link_are_made_again(
-    service: Any, client: httpx.Client, fresh: dict[str, Any]
-) -> None:
-    slug, path = share(client, fresh["id"])["slug"], f"/api/v1/runs/{fresh['id']}/series?strategy=passive&points=100"
-    whole, before = client.get(path).content, dropped(client, "series")
-    store: Store = service.app.state.services.store
+def test_damaged_time_histories_of_a_link_are_made_again(service: Any, fresh: dict[str, Any]) -> None:
+    slug, path = share(service, fresh["id"])["slug"], f"/api/v1/runs/{fresh['id']}/series?strategy=passive&points=100"
+    whole, before = service.get(path).content, dropped(service, "series")
+    store: Store = service.services.store
     pin = pinned_series.c.result_key == key_of(store, fresh["id"])
     with store.writing() as connection:
         content = bytearray(connection.execute(select(pinned_series.c.content).where(pin)).scalar_one())
         content[len(content) // 2] ^= 1
         connection.execute(update(pinned_series).where(pin).values(content=bytes(content)))
-    refused = client.get(path)
+    refused = service.get(path)
     assert (refused.status_code, "damaged" in refused.json()["detail"]) == (503, True)
-    assert client.get(path).content == whole
-    assert dropped(client, "series") == before + 1
-    assert opened(client, slug)["damaged_at"] is not None
+    assert service.get(path).content == whole
+    assert dropped(service, "series") == before + 1
+    assert opened(service, slug)["damaged_at"] is not None
 
 
 def test_both_databases_drop_what_is_damaged_and_keep_what_has_no_checksum(store: Store) -> None:

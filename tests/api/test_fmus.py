@@ -10,7 +10,7 @@ SCENARIO = {"road": {"length": 20, "bump": {"start": 10}}}
 
 
 def test_the_client_gets_an_fmu_with_its_sources_and_its_scenario(service: Service) -> None:
-    with Ridelab(str(service.client.base_url)) as ridelab:
+    with Ridelab(str(service.base_url)) as ridelab:
         content = ridelab.fmu(SCENARIO, of="vehicle", version="3.0", platforms=["linux64"])
     with zipfile.ZipFile(io.BytesIO(content)) as archive:
         names = archive.namelist()

@@ -141,7 +141,7 @@ def generous(
 ) -> Iterator[tuple[Address, uvicorn.Server]]:
     """Answers everything with 16 MB, and waits so long [s] for whoever takes nothing."""
     monkeypatch.setattr(GuardedProtocol, "WRITE_TIMEOUT", patience)
-    config = server_config(Response(b"x" * 16_000_000), service.app.state.services.settings)  # type: ignore[arg-type]  # any ASGI
+    config = server_config(Response(b"x" * 16_000_000), service.services.settings)  # type: ignore[arg-type]  # any ASGI
     config.lifespan = "off"
     with running(config) as started:
         yield started
@@ -284,7 +284,7 @@ def test_no_answer_depends_on_the_host_or_repeats_it(address: Address) -> None:
 
 def test_a_forwarded_address_counts_only_from_a_known_proxy(service: Any) -> None:
     answers: list[str] = []
-    original = service.app.state.services.gate.computing
+    original = service.services.gate.computing
 
     def spy(client: str, *rest: Any) -> Any:
         answers.append(client)
@@ -299,13 +299,13 @@ def test_a_forwarded_address_counts_only_from_a_known_proxy(service: Any) -> Non
         )
         assert response.status_code in (200, 500), response.text
 
-    service.app.state.services.gate.computing = spy
+    service.services.gate.computing = spy
     try:
         for index, proxies in enumerate(("", "10.0.0.0/8", "127.0.0.1")):
             with impatient(service.app, forwarded_allow_ips=proxies) as (address, _):
                 ask(address, index)
     finally:
-        service.app.state.services.gate.computing = original
+        service.services.gate.computing = original
     assert answers == ["127.0.0.1", "127.0.0.1", "203.0.113.7"]
 
 

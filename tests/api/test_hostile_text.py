@@ -125,7 +125,7 @@ def batch(client: httpx.Client) -> str:
 
 
 def test_every_kind_of_answer_has_every_header(service: Any, run: dict[str, Any], batch: str, monkeypatch: Any) -> None:
-    client: httpx.Client = service.client
+    client: httpx.Client = service
     dist: Path = Settings().frontend_dir
     assets = [f"/assets/{path.name}" for path in (dist / "assets").iterdir() if path.suffix != ".br"]
     assert assets
@@ -145,7 +145,7 @@ def test_every_kind_of_answer_has_every_header(service: Any, run: dict[str, Any]
     answers[200].append(client.get(f"/api/v1/batches/{batch}/events"))  # of a batch that has ended: whole at once
     answers[200] += [client.head("/"), *(client.get(path) for path in ("/healthz", "/readyz", "/api/v1/schema"))]
     answers[206] = [client.get(assets[0], headers={"Range": "bytes=0-1"})]
-    monkeypatch.setattr(service.app.state.services.runs, "get", lambda *_: 1 / 0)
+    monkeypatch.setattr(service.services.runs, "get", lambda *_: 1 / 0)
     answers[500] = [client.get(f"/api/v1/runs/{run['id']}")]
     for status, responses in answers.items():
         for response in responses:

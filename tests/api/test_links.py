@@ -141,59 +141,53 @@ def test_pinned_histories_are_the_computed_ones_to_the_byte(
     assert {call[0] for call in worker_calls} == {exports.render_pinned, pins.opened}, "none was computed again"
 
 
-def test_what_it_is_compared_with_is_kept_as_well(
-    service: Any, client: httpx.Client, fresh: dict[str, Any], road: dict[str, Any]
-) -> None:
+def test_what_it_is_compared_with_is_kept_as_well(service: Any, fresh: dict[str, Any], road: dict[str, Any]) -> None:
     """The pinned runs' histories outlive an upgrade of the core, and their results are a link's for the retention."""
     other = service.run(["lv", "passive"], {"road": {**road, "bump": {**road["bump"], "height": 0.031}}}).json()
     pin = {"name": "lower bump", "run": other["id"]}
     view = {"baseline": "lv", "pins": [pin], "reference": other["id"], "differences": True}
-    assert opened(client, share(client, fresh["id"], **view)["slug"])["view"] == view
-    of_another_core(service.app.state.services.store, other["id"])
-    assert histories(client, other["id"]), "each of them answers, as for a link of its own"
-    with service.app.state.services.store.reading() as connection:
+    assert opened(service, share(service, fresh["id"], **view)["slug"])["view"] == view
+    of_another_core(service.services.store, other["id"])
+    assert histories(service, other["id"]), "each of them answers, as for a link of its own"
+    with service.services.store.reading() as connection:
         linked = set(connection.execute(select(links.c.run_id)).scalars())
     assert {fresh["id"], other["id"]} <= linked
 
 
-def test_what_was_not_pinned_before_an_upgrade_keeps_its_metrics(
-    service: Any, client: httpx.Client, fresh: dict[str, Any]
-) -> None:
-    of_another_core(service.app.state.services.store, fresh["id"])
-    link = share(client, fresh["id"])
+def test_what_was_not_pinned_before_an_upgrade_keeps_its_metrics(service: Any, fresh: dict[str, Any]) -> None:
+    of_another_core(service.services.store, fresh["id"])
+    link = share(service, fresh["id"])
     assert link["series_pinned"] is False
-    answer = opened(client, link["slug"])
+    answer = opened(service, link["slug"])
     assert answer["series_pinned"] is False
     assert answer["run"]["strategies"]["lv"]["metrics"] == fresh["strategies"]["lv"]["metrics"]
     for path in ("series?strategy=lv", "figures"):
-        refused = client.get(f"/api/v1/runs/{fresh['id']}/{path}")
+        refused = service.get(f"/api/v1/runs/{fresh['id']}/{path}")
         assert refused.status_code == 410
         assert "no link pinned them" in refused.json()["detail"]
 
 
-def test_a_run_pinned_in_part_gives_that_part(service: Any, client: httpx.Client, fresh: dict[str, Any]) -> None:
+def test_a_run_pinned_in_part_gives_that_part(service: Any, fresh: dict[str, Any]) -> None:
     """Another run's link pinned the passive car, which this run has too."""
     other = service.run(["passive"], fresh["scenario"]).json()
-    share(client, other["id"])
-    of_another_core(service.app.state.services.store, fresh["id"])
-    series = client.get(f"/api/v1/runs/{fresh['id']}/series?points=40").json()
+    share(service, other["id"])
+    of_another_core(service.services.store, fresh["id"])
+    series = service.get(f"/api/v1/runs/{fresh['id']}/series?points=40").json()
     assert series["strategy"] == "passive"
-    assert client.get(f"/api/v1/runs/{fresh['id']}/series?strategy=lv").status_code == 422
-    figure = client.get(f"/api/v1/runs/{fresh['id']}/figures/speed").json()
+    assert service.get(f"/api/v1/runs/{fresh['id']}/series?strategy=lv").status_code == 422
+    figure = service.get(f"/api/v1/runs/{fresh['id']}/figures/speed").json()
     assert [trace["meta"]["strategy"] for trace in figure["data"]] == ["passive"]
-    assert share(client, fresh["id"])["series_pinned"] is False
+    assert share(service, fresh["id"])["series_pinned"] is False
 
 
-def test_erased_pins_are_computed_again_by_an_equal_core(
-    service: Any, client: httpx.Client, fresh: dict[str, Any]
-) -> None:
-    store: Store = service.app.state.services.store
-    link, before = share(client, fresh["id"]), histories(client, fresh["id"])
+def test_erased_pins_are_computed_again_by_an_equal_core(service: Any, fresh: dict[str, Any]) -> None:
+    store: Store = service.services.store
+    link, before = share(service, fresh["id"]), histories(service, fresh["id"])
     erase_pins(store, fresh["id"])
-    assert opened(client, link["slug"])["series_pinned"] is False
-    assert histories(client, fresh["id"]) == before
-    assert share(client, fresh["id"])["series_pinned"] is True
-    assert opened(client, link["slug"])["series_pinned"] is True
+    assert opened(service, link["slug"])["series_pinned"] is False
+    assert histories(service, fresh["id"]) == before
+    assert share(service, fresh["id"])["series_pinned"] is True
+    assert opened(service, link["slug"])["series_pinned"] is True
 
 
 def expire(store: Store, run_id: str) -> None:
@@ -205,10 +199,10 @@ def expire(store: Store, run_id: str) -> None:
 
 
 def test_a_run_that_expires_while_it_is_shared_is_kept_all_the_same(
-    service: Any, client: httpx.Client, fresh: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+    service: Any, fresh: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Retention comes after the run was read and before its link is there."""
-    store: Store = service.app.state.services.store
+    store: Store = service.services.store
     save, saves = store.links.save, list[bool]()
 
     def late(*arguments: Any) -> bool:
@@ -218,52 +212,50 @@ def test_a_run_that_expires_while_it_is_shared_is_kept_all_the_same(
         return saves[-1]
 
     monkeypatch.setattr(store.links, "save", late)
-    slug = share(client, fresh["id"])["slug"]
+    slug = share(service, fresh["id"])["slug"]
     assert saves == [False, True]
     expire(store, fresh["id"])
     stored = store.runs.load(fresh["id"])
     assert stored is not None
     assert not stored.expired, "a link shows it"
-    assert opened(client, slug)["run"] == client.get(f"/api/v1/runs/{fresh['id']}").json()
+    assert opened(service, slug)["run"] == service.get(f"/api/v1/runs/{fresh['id']}").json()
 
 
-def test_a_link_whose_run_expired_computes_it_again(service: Any, client: httpx.Client, fresh: dict[str, Any]) -> None:
+def test_a_link_whose_run_expired_computes_it_again(service: Any, fresh: dict[str, Any]) -> None:
     """Until 0.3.0 retention could come between."""
-    store: Store = service.app.state.services.store
-    link, before = share(client, fresh["id"]), client.get(f"/api/v1/runs/{fresh['id']}").json()
+    store: Store = service.services.store
+    link, before = share(service, fresh["id"]), service.get(f"/api/v1/runs/{fresh['id']}").json()
     erase_pins(store, fresh["id"])
     expired = update(results).where(results.c.key.in_(keys(store, fresh["id"])))
     with store.writing() as connection:
         connection.execute(expired.values(status="expired", summary="{}", compute_ms=0))
-    preview = client.get(f"/s/{link['slug']}")
+    preview = service.get(f"/s/{link['slug']}")
     assert (preview.status_code, "A stored run" in preview.text) == (200, True)
-    run = opened(client, link["slug"])["run"]
+    run = opened(service, link["slug"])["run"]
     metrics = {name: each["metrics"] for name, each in run["strategies"].items()}
     assert metrics == {name: each["metrics"] for name, each in before["strategies"].items()}
 
 
-def test_a_link_says_when_it_changed(service: Any, client: httpx.Client, fresh: dict[str, Any]) -> None:
-    address = f"/api/v1/links/{share(client, fresh['id'])['slug']}"
-    answer = client.get(address)
+def test_a_link_says_when_it_changed(service: Any, fresh: dict[str, Any]) -> None:
+    address = f"/api/v1/links/{share(service, fresh['id'])['slug']}"
+    answer = service.get(address)
     assert answer.headers["cache-control"] == "no-cache"
     tag = answer.headers["etag"]
-    unchanged = client.get(address, headers={"If-None-Match": tag})
+    unchanged = service.get(address, headers={"If-None-Match": tag})
     assert (unchanged.status_code, unchanged.content, unchanged.headers["etag"]) == (304, b"", tag)
-    of_another_core(service.app.state.services.store, fresh["id"])
-    changed = client.get(address, headers={"If-None-Match": tag})
+    of_another_core(service.services.store, fresh["id"])
+    changed = service.get(address, headers={"If-None-Match": tag})
     assert changed.status_code == 200
     assert changed.headers["etag"] != tag
 
 
-def test_a_run_stored_by_a_newer_version_is_refused_for_now(
-    service: Any, client: httpx.Client, fresh: dict[str, Any]
-) -> None:
-    link = share(client, fresh["id"])
-    with service.app.state.services.store.writing() as connection:
+def test_a_run_stored_by_a_newer_version_is_refused_for_now(service: Any, fresh: dict[str, Any]) -> None:
+    link = share(service, fresh["id"])
+    with service.services.store.writing() as connection:
         newer = {"schema_version": SCHEMA_VERSION + 1, "checksum": UNCHECKED}
         connection.execute(update(runs).where(runs.c.id == fresh["id"]).values(**newer))
     for path in (f"runs/{fresh['id']}", f"runs/{fresh['id']}/figures", f"links/{link['slug']}"):
-        answer = client.get(f"/api/v1/{path}")
+        answer = service.get(f"/api/v1/{path}")
         assert answer.status_code == 503
         assert answer.json()["type"].endswith("newer-schema")
         assert "retry-after" in answer.headers
@@ -272,7 +264,7 @@ def test_a_run_stored_by_a_newer_version_is_refused_for_now(
 @pytest.fixture
 def limited(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """A service that computes nothing more."""
-    gate: Gate = service.app.state.services.gate
+    gate: Gate = service.services.gate
     monkeypatch.setitem(gate.quotas, "computing", replace(gate.quotas["computing"], per_client=0))
 
 

@@ -23,7 +23,7 @@ from tests.servers.process import HANG_TIMEOUT, wait_until
 @pytest.fixture(autouse=True)
 def folder(service: Any) -> Iterator[Path]:
     """Where the files are; none is left after a test."""
-    folder: Path = service.app.state.services.settings.data_dir / "spool"
+    folder: Path = service.services.settings.data_dir / "spool"
     empty(service, folder)  # other tests' bands may be cached
     yield folder
     empty(service, folder)
@@ -33,7 +33,7 @@ def empty(service: Any, folder: Path) -> None:
     """Forget cached bands; no other file may stay."""
 
     async def forget() -> None:
-        service.app.state.services.curves.histories._bands.clear()
+        service.services.curves.histories._bands.clear()
 
     service.inside(forget())
     wait_until(lambda: not files(folder), "every file is gone")
@@ -110,28 +110,28 @@ def test_no_room_is_said(client: httpx.Client, run: dict[str, Any], monkeypatch:
 
 
 def test_space_is_reserved_before_anything_is_computed(
-    service: Any, client: httpx.Client, worker_calls: list[tuple[Any, ...]], monkeypatch: pytest.MonkeyPatch
+    service: Any, worker_calls: list[tuple[Any, ...]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(spool, "MAX_IN_MEMORY", 0)
     body = {"scenario": {"road": {"length": 131.9}}, "strategies": ["passive"], "roads": 2}
-    run = client.post("/api/v1/runs", json=body).json()
+    run = service.post("/api/v1/runs", json=body).json()
     sweep = {"list": [{"road.seed": 1}]}
-    batch = computed(client, scenario=body["scenario"], strategies=["passive"], sweep=sweep)["id"]
-    files = service.app.state.services.curves.histories.spool
+    batch = computed(service, scenario=body["scenario"], strategies=["passive"], sweep=sweep)["id"]
+    files = service.services.curves.histories.spool
     worker_calls.clear()
     with monkeypatch.context() as limited:
         size = bands.Band.most_nbytes(Scenario.model_validate(run["scenario"]), "passive")
         limited.setattr(files, "_longest", 1.1 * size)  # the band's own file fits
-        refused = client.get(f"/api/v1/runs/{run['id']}/bands")
+        refused = service.get(f"/api/v1/runs/{run['id']}/bands")
         assert refused.status_code == 422
         assert refused.json()["type"].endswith(":cost-limit")
         assert "fewer" in refused.json()["detail"]
     with monkeypatch.context() as limited:
-        quotas = service.app.state.services.gate.quotas
+        quotas = service.services.gate.quotas
         limited.setitem(quotas, "long_answers", replace(quotas["long_answers"], per_client=1))  # no second one
-        assert client.get(f"/api/v1/batches/{batch}/table?figures=travel_time").status_code == 429
+        assert service.get(f"/api/v1/batches/{batch}/table?figures=travel_time").status_code == 429
     assert not worker_calls
-    assert client.get(f"/api/v1/runs/{run['id']}/bands").status_code == 200
+    assert service.get(f"/api/v1/runs/{run['id']}/bands").status_code == 200
     function, *_, cost = worker_calls[-1]
     assert function is bands.render
     assert cost > 0, "what takes long does not count as short"

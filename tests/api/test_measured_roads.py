@@ -77,23 +77,21 @@ def test_a_stored_road_is_exported_and_the_same_when_sent_again(client: httpx.Cl
     assert (missing.status_code, missing.headers["content-type"]) == (404, "application/problem+json")
 
 
-def test_runs_live_series_and_links_drive_it(
-    service: Service, client: httpx.Client, scenario: dict[str, Any], sent: dict[str, Any]
-) -> None:
+def test_runs_live_series_and_links_drive_it(service: Service, scenario: dict[str, Any], sent: dict[str, Any]) -> None:
     run = service.run(["lv", "passive"], scenario).json()
     expected = simulate(Scenario.model_validate(scenario).on(read(FILE.encode()).road), "passive")
     peak = expected.metrics["bump"]["body_acceleration"]["peak"]
     assert run["strategies"]["passive"]["metrics"]["bump"]["body_acceleration"]["peak"] == pytest.approx(peak)
     assert run["scenario"]["road"]["profile"] == sent["id"]
     assert service.live(["lv"], scenario).json()["strategies"]["lv"]["status"] == "ok"
-    text = client.get(f"/api/v1/runs/{run['id']}/series?strategy=passive&format=csv").text
+    text = service.get(f"/api/v1/runs/{run['id']}/series?strategy=passive&format=csv").text
     driven = [float(row["front_road [m]"]) for row in csv.DictReader(io.StringIO(text))]
     np.testing.assert_allclose(driven, expected.series["front_road"], atol=1e-6)
-    assert client.get(f"/api/v1/runs/{run['id']}/figures/road").status_code == 200
-    link = client.post("/api/v1/links", json={"run_id": run["id"], "view": {}}).json()
+    assert service.get(f"/api/v1/runs/{run['id']}/figures/road").status_code == 200
+    link = service.post("/api/v1/links", json={"run_id": run["id"], "view": {}}).json()
     assert link["series_pinned"]
-    assert client.get(f"/api/v1/links/{link['slug']}").json()["scenario"]["road"]["profile"] == sent["id"]
-    assert client.post("/api/v1/controller", json={"scenario": scenario}).status_code == 200
+    assert service.get(f"/api/v1/links/{link['slug']}").json()["scenario"]["road"]["profile"] == sent["id"]
+    assert service.post("/api/v1/controller", json={"scenario": scenario}).status_code == 200
 
 
 def test_a_batch_drives_several_roads(client: httpx.Client, scenario: dict[str, Any], sent: dict[str, Any]) -> None:
@@ -109,10 +107,10 @@ def test_a_batch_drives_several_roads(client: httpx.Client, scenario: dict[str, 
     assert nominal["figures"]["bump.body_acceleration.peak"]["nominal"] > 0
 
 
-def test_a_scenario_without_a_length_ends_with_its_road(service: Service, client: httpx.Client) -> None:
+def test_a_scenario_without_a_length_ends_with_its_road(service: Service) -> None:
     """Runs, live ones, batches and solve drive and answer the road's own length; a given one is as it was."""
     short, long = (
-        send(client, HEAD + "".join(f"{x:.1f},{h:.2f}\n" for x, h in zip(X[:many], 9 * np.cos(X[:many]), strict=True)))
+        send(service, HEAD + "".join(f"{x:.1f},{h:.2f}\n" for x, h in zip(X[:many], 9 * np.cos(X[:many]), strict=True)))
         for many in (1200, 1300)
     )
     ids, lengths = [each.json()["id"] for each in (short, long)], [119.9, 129.9]
@@ -121,25 +119,25 @@ def test_a_scenario_without_a_length_ends_with_its_road(service: Service, client
     run = service.run(["passive"], scenario).json()
     assert run["scenario"]["road"]["length"] == lengths[0]
     assert service.run(["passive"], run["scenario"]).json()["id"] == run["id"], "the same run as with that length"
-    series = client.get(f"/api/v1/runs/{run['id']}/series?strategy=passive").json()["series"]
+    series = service.get(f"/api/v1/runs/{run['id']}/series?strategy=passive").json()["series"]
     assert series["position"][-1] == pytest.approx(lengths[0], abs=0.1)
     live = service.live(["passive"], scenario).json()
     assert live["strategies"]["passive"]["travel_time"] == run["strategies"]["passive"]["travel_time"]
     shorter = service.run(["passive"], {"road": {**scenario["road"], "length": 110}}).json()
     assert (shorter["scenario"]["road"]["length"], shorter["id"] == run["id"]) == (110, False)
     question = {"strategy": "passive", "field": "road.bump.height", "range": [0.01, 0.1]}
-    solution = client.post(
+    solution = service.post(
         "/api/v1/solve", json={**question, "scenario": scenario, "metric": "bump.front_deflection.peak", "limit": 0.05}
     )
     assert solution.status_code == 200, solution.text
-    solved = client.get(f"/api/v1/runs/{solution.json()['run_id']}").json()
+    solved = service.get(f"/api/v1/runs/{solution.json()['run_id']}").json()
     assert solved["scenario"]["road"]["length"] == lengths[0]
     beyond = service.run(["passive"], {"road": {"profile": ids[0], "bump": {"start": 118}}})
     assert beyond.json()["errors"][0]["pointer"] == "/scenario/road/bump/start"
 
     def travel_times(base: dict[str, Any], sweep: dict[str, Any]) -> list[float | None]:
-        batch = computed(client, scenario=base, strategies=["passive"], sweep=sweep)
-        rows = rows_of(client, batch["id"])
+        batch = computed(service, scenario=base, strategies=["passive"], sweep=sweep)
+        rows = rows_of(service, batch["id"])
         return [row["travel_time"] if row["status"] == "ok" else None for row in rows]
 
     speed = 50 / 3.6
@@ -164,47 +162,47 @@ def test_a_scenario_without_a_length_ends_with_its_road(service: Service, client
     ],
 )
 def test_what_cannot_be_driven_names_its_field(
-    service: Service, client: httpx.Client, scenario: dict[str, Any], road: dict[str, Any], pointer: str, said: str
+    service: Service, scenario: dict[str, Any], road: dict[str, Any], pointer: str, said: str
 ) -> None:
     wrong = {"road": {**scenario["road"], **road}}
     answers = [service.run(["passive"], wrong), service.live(["passive"], wrong)]
     if "length" not in road:
         body = {"scenario": wrong, "strategies": ["passive"], "sweep": {"grid": {"road.bump.height": [0, 0.1]}}}
-        answers.append(client.post("/api/v1/batches", json=body))
+        answers.append(service.post("/api/v1/batches", json=body))
     for answer in answers:
         assert answer.status_code == 422
         (error,) = answer.json()["errors"]
         assert error["pointer"] == pointer
         assert error["message"].startswith(said)
     body = {"scenario": {}, "strategies": ["passive"], "sweep": {"grid": {"road.profile": [MISSING]}}}
-    assert client.post("/api/v1/batches", json=body).json()["errors"][0]["pointer"] == "/sweep"
+    assert service.post("/api/v1/batches", json=body).json()["errors"][0]["pointer"] == "/sweep"
 
 
 def test_without_its_road_a_run_keeps_its_metrics_and_no_new_one_is_stored(
-    service: Service, client: httpx.Client, scenario: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+    service: Service, scenario: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    road = send(client, FILE.replace("0.1,", "0.1,1")).json()["id"]
+    road = send(service, FILE.replace("0.1,", "0.1,1")).json()["id"]
     there = {"road": {**scenario["road"], "profile": road}}
     run = service.run(["passive"], there).json()
     assert service.live(["speed_only"], there).status_code == 200, "its result is in memory"
-    with service.app.state.services.store.writing() as connection:
+    with service.services.store.writing() as connection:
         connection.execute(delete(run_roads).where(run_roads.c.road_id == road))
         connection.execute(delete(roads).where(roads.c.id == road))
     refused = service.run(["speed_only"], there)
     assert (refused.status_code, refused.json()["errors"][0]["pointer"]) == (422, "/scenario/road/profile")
     path = f"/api/v1/runs/{run['id']}"
-    assert client.get(path).json()["strategies"].keys() == {"passive"}
+    assert service.get(path).json()["strategies"].keys() == {"passive"}
     for histories in ("series", "figures", "figures/road"):
-        answer = client.get(f"{path}/{histories}")
+        answer = service.get(f"{path}/{histories}")
         assert (answer.status_code, answer.json()["type"].rpartition(":")[2]) == (410, "road-gone")
-    report = client.get(f"{path}/report.html")
+    report = service.get(f"{path}/report.html")
     assert report.status_code == 200
     assert "They are gone. The measured road of this run is not stored any more" in report.text
-    with service.app.state.services.store.writing() as connection:
+    with service.services.store.writing() as connection:
         expired = update(results).where(results.c.strategy == "passive").values(status="expired", summary="{}")
         connection.execute(expired)
     monkeypatch.setattr(ResultCache, "get", lambda *_: None)
-    assert client.get(path).status_code == 410
+    assert service.get(path).status_code == 410
 
 
 def test_a_measured_road_is_one_road(client: httpx.Client, scenario: dict[str, Any]) -> None:
@@ -332,14 +330,14 @@ def test_what_is_no_grid_is_refused(
 
 
 def test_a_road_of_an_older_version_has_no_indices_until_its_file_comes_again(
-    service: Service, client: httpx.Client
+    service: Service,
 ) -> None:
     content = FILE + "140.0,56\n"
-    road = send(client, content).json()
-    with service.app.state.services.store.writing() as connection:
+    road = send(service, content).json()
+    with service.services.store.writing() as connection:
         connection.execute(update(roads).where(roads.c.id == road["id"]).values(analysis=None, checksum=UNCHECKED))
     address = f"/api/v1/roads/{road['id']}"
-    got = client.get(address).json()
+    got = service.get(address).json()
     assert [got[name] for name in ("iri", "iso_class", "roughness", "waviness", "spectrum")] == [None] * 5
-    assert send(client, content).json() == road
-    assert client.get(address).json()["iri"] == road["iri"]
+    assert send(service, content).json() == road
+    assert service.get(address).json()["iri"] == road["iri"]

@@ -64,15 +64,15 @@ def test_another_sites_link_opens(client: httpx.Client) -> None:
     ids=lambda headers: " ".join(list(headers.values())[1:]),
 )
 def test_another_sites_picture_has_nothing_computed(
-    service: Any, client: httpx.Client, headers: dict[str, str], monkeypatch: pytest.MonkeyPatch
+    service: Any, headers: dict[str, str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked: list[str] = []
-    monkeypatch.setattr(service.app.state.services.paper, "reproduction", asked.append)
+    monkeypatch.setattr(service.services.paper, "reproduction", asked.append)
     for method in ("GET", "HEAD"):
-        refused = client.request(method, "/api/v1/paper", headers=headers)
+        refused = service.request(method, "/api/v1/paper", headers=headers)
         assert refused.status_code == 403
     assert not asked
-    assert client.get("/", headers=headers).status_code == 200, "the page itself computes nothing"
+    assert service.get("/", headers=headers).status_code == 200, "the page itself computes nothing"
 
 
 def test_only_hosts_that_are_listed_are_served() -> None:

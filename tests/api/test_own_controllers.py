@@ -89,7 +89,7 @@ def test_a_file_is_a_strategy_and_a_saved_one_another_law(service: Service, fold
     outcome = run["strategies"]["saved"]
     assert (outcome["source"], run["strategies"]["passive"]["source"]) == (first["source"], None)
     address = f"/api/v1/runs/{run['id']}"
-    at = service.client.get(f"{address}/instant?position=90.3&strategy=saved").json()
+    at = service.get(f"{address}/instant?position=90.3&strategy=saved").json()
     assert at["forces"]["asked"] == pytest.approx([-2000.0 * at["state"][4]] * 2, rel=1e-9)
     assert at["predicted_states"] is at["parts"] is None
 
@@ -98,13 +98,13 @@ def test_a_file_is_a_strategy_and_a_saved_one_another_law(service: Service, fold
     assert again["saved"]["source"]["digest"] != outcome["source"]["digest"]
     assert (again["saved"]["cached"], again["passive"]["cached"]) == (False, True)
     assert again["saved"]["metrics"] != outcome["metrics"]
-    stored = service.client.get(address).json()["strategies"]["saved"]
+    stored = service.get(address).json()["strategies"]["saved"]
     assert stored == {key: value for key, value in outcome.items() if key != "cached"}, "the old law's, as it was"
-    series = service.client.get(f"{address}/series", params={"strategy": "saved", "points": 9})
+    series = service.get(f"{address}/series", params={"strategy": "saved", "points": 9})
     assert (series.status_code, "passive" in series.json()["detail"]) == (422, True), "no curves of another law"
-    instant = service.client.get(f"{address}/instant?position=90.3&strategy=saved")
+    instant = service.get(f"{address}/instant?position=90.3&strategy=saved")
     assert (instant.status_code, "has changed" in instant.json()["detail"]) == (410, True)
-    assert len(service.client.get(f"{address}/figures").json()["figures"]["road"]["data"]) == 1
+    assert len(service.get(f"{address}/figures").json()["figures"]["road"]["data"]) == 1
     file.write_text(named("saved"))
     assert driven(service, ["saved"])["saved"] == {**outcome, "cached": True}
 
@@ -115,24 +115,22 @@ def test_whatever_leaves_names_the_laws_file_and_digest(service: Service, folder
     source = run["strategies"]["harder"]["source"]
     assert source == {"file": "harder.py", "digest": own(service)["harder"]["source"]["digest"]}
     address = f"/api/v1/runs/{run['id']}"
-    assert f"harder.py, <code>{source['digest']}</code>" in service.client.get(f"{address}/report.html").text
+    assert f"harder.py, <code>{source['digest']}</code>" in service.get(f"{address}/report.html").text
     asked: dict[str, str | int] = {"strategy": ",".join(strategies), "points": 9}
-    assert service.client.get(f"{address}/series", params=asked).json()["sources"] == {"harder": source}
-    parquet = service.client.get(f"{address}/series", params={**asked, "format": "parquet"}).content
+    assert service.get(f"{address}/series", params=asked).json()["sources"] == {"harder": source}
+    parquet = service.get(f"{address}/series", params={**asked, "format": "parquet"}).content
     assert json.loads(read_schema(BytesIO(parquet)).metadata[b"ridelab.sources"]) == {"harder": source}
     sweep = {"grid": {"road.bump.height": [0.06]}}
-    batch = computed(service.client, scenario=SCENARIO, strategies=strategies, sweep=sweep)
+    batch = computed(service, scenario=SCENARIO, strategies=strategies, sweep=sweep)
     results = f"/api/v1/batches/{batch['id']}/results"
-    rows = csv.DictReader(service.client.get(results, params={"format": "csv"}).text.splitlines())
+    rows = csv.DictReader(service.get(results, params={"format": "csv"}).text.splitlines())
     assert [row["source"] and json.loads(row["source"]) for row in rows] == ["", source], "ours before theirs"
 
 
 @pytest.mark.thorough
 def test_a_law_of_ones_own_that_is_linear_leaves_as_an_fmu(service: Service, folder: Path, tmp_path: Path) -> None:
     """Its gains differ by stage, and count the force before, which the FMU remembers."""
-    answer = service.client.post(
-        "/api/v1/fmus", json={"strategy": "harder", "version": "3.0", "platforms": ["linux64"]}
-    )
+    answer = service.post("/api/v1/fmus", json={"strategy": "harder", "version": "3.0", "platforms": ["linux64"]})
     assert answer.status_code == 200, answer.text
     file = tmp_path / "exported" / "harder.fmu"
     file.parent.mkdir()
@@ -144,12 +142,12 @@ def test_a_law_of_ones_own_that_is_linear_leaves_as_an_fmu(service: Service, fol
             importer.step(0.01 * len(given), 0.01, {"state[5]": 1.0, "stage": stage})
             given.append(importer.get(["force_front", "force_rear"]))
     assert given == [[-1000.0] * 2, [-1500.0] * 2, [-3500.0] * 2]
-    refused = service.client.post("/api/v1/fmus", json={"strategy": "mine"})
+    refused = service.post("/api/v1/fmus", json={"strategy": "mine"})
     assert refused.status_code == 422
     assert "its forces follow no linear law; a controller of one's own needs linear_law" in refused.json()["detail"]
     both = (folder / "harder.py").read_text().replace("harder", "both")
     (folder / "both.py").write_text(f"{both}\n    def force(self, seen):\n        return 0.0, 0.0\n")
-    refused = service.client.post("/api/v1/fmus", json={"strategy": "both"})
+    refused = service.post("/api/v1/fmus", json={"strategy": "both"})
     assert (refused.status_code, "leave force out" in refused.json()["detail"]) == (422, True)
 
 
@@ -197,7 +195,7 @@ def test_it_is_driven_as_in_the_library(service: Service) -> None:
 def test_a_sweep_over_noise_that_it_may_read_without_a_filter_has_no_note(service: Service) -> None:
     sweep = {"grid": {"estimation.deflection_noise": [0.001, 0.002]}}
     body = {"scenario": SCENARIO, "strategies": ["mine", "lv"], "sweep": sweep, "dry_run": True}
-    assert service.client.post("/api/v1/batches", json=body).json()["notes"] == []
+    assert service.post("/api/v1/batches", json=body).json()["notes"] == []
 
 
 def test_a_law_that_fails_costs_its_own_column_and_is_told_with_its_line(service: Service, folder: Path) -> None:
@@ -229,7 +227,7 @@ def test_a_law_that_fails_costs_its_own_column_and_is_told_with_its_line(service
 
 
 def test_a_law_that_does_not_end_is_ended(service: Service, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(service.app.state.services.own_files, "_limit", 0.5)
+    monkeypatch.setattr(service.services.own_files, "_limit", 0.5)
     (folder / "endless.py").write_text(named("endless", "while True: pass"))
     ignoring = "import signal; signal.alarm(0); signal.signal(14, signal.SIG_IGN)\n        while True: pass"
     (folder / "stubborn.py").write_text(named("stubborn", ignoring))
@@ -255,17 +253,17 @@ def test_a_file_that_cannot_be_used_keeps_nothing_else_from_working(
     }
     for name, text in texts.items():
         (folder / name).write_text(text)
-    faults = service.client.get("/readyz").json()["controllers"]
+    faults = service.get("/readyz").json()["controllers"]
     while not faults:  # the endless one takes longer than a request waits
         own(service)
-        faults = service.client.get("/readyz").json()["controllers"]
+        faults = service.get("/readyz").json()["controllers"]
     assert faults == {
         "half.py": "half.py, line 12: SyntaxError: invalid syntax",
         "endless.py": "endless.py, line 2: it did not end within 2 s",
         "twice.py": "twice.py: mine.py has a controller of the id mine too",
     }
     assert own(service)["half"]["fault"] == faults["half.py"], "it stands where its author looks"
-    options = service.client.get("/api/v1/schema").json()["$defs"]["own.mine"]["properties"]
+    options = service.get("/api/v1/schema").json()["$defs"]["own.mine"]["properties"]
     assert list(options) == ["damping"], "those of the file that is used"
     outcomes = driven(service, ["half", "mine", "lqr"])
     assert {name: each["status"] for name, each in outcomes.items()} == {"half": "failed", "mine": "ok", "lqr": "ok"}

@@ -48,7 +48,7 @@ def with_options(**options: Any) -> dict[str, Any]:
 
 
 def test_options_are_fields_that_only_their_law_reads(service: Service) -> None:
-    schema = service.client.get("/api/v1/schema").json()
+    schema = service.get("/api/v1/schema").json()
     assert schema["$defs"]["Own"]["properties"]["mine"] == {"$ref": "#/$defs/own.mine", "title": "Mine"}
     field = schema["$defs"]["own.mine"]["properties"]["damping"]
     assert (field["unit"], field["soft_range"], field["default"]) == ("N·s/m", [0, 20_000], 2000.0)
@@ -88,20 +88,20 @@ def test_a_stored_scenario_whose_law_is_gone_still_opens(service: Service, folde
     file = folder / "leaving.py"
     file.write_text(LAW.replace("mine", "leaving"))
     run = service.run(["leaving", "passive"], {**SCENARIO, "own": {"leaving": {"damping": 4000}}}).json()
-    slug = service.client.post("/api/v1/links", json={"run_id": run["id"]}).json()["slug"]
+    slug = service.post("/api/v1/links", json={"run_id": run["id"]}).json()["slug"]
     curves = f"/api/v1/runs/{run['id']}/series?strategy=leaving&points=9&signals=front_force"
-    pinned = service.client.get(curves).json()
+    pinned = service.get(curves).json()
     file.unlink()
-    assert service.client.get(curves).json() == pinned, "the link keeps them"
+    assert service.get(curves).json() == pinned, "the link keeps them"
     assert service.run(["passive"], run["scenario"]).json()["errors"][0]["pointer"] == "/scenario/own/leaving"
-    link = service.client.get(f"/api/v1/links/{slug}").json()
+    link = service.get(f"/api/v1/links/{slug}").json()
     assert link["run"]["scenario"]["own"] == {"leaving": {"damping": 4000}}
     assert link["run"]["strategies"]["leaving"]["metrics"] == run["strategies"]["leaving"]["metrics"]
 
 
 @pytest.mark.thorough
 def test_what_was_held_to_requirements_of_a_law_that_is_gone_still_opens(service: Service, folder: Path) -> None:
-    client, file = service.client, folder / "held.py"
+    client, file = service, folder / "held.py"
     file.write_text(LAW.replace("mine", "held"))
     requirements = [{"metric": "bump.body_acceleration.peak", "max": 1, "strategies": ["held"]}]
     asked = {"scenario": SCENARIO, "strategies": ["held", "passive"], "requirements": requirements}
@@ -125,9 +125,9 @@ def test_what_was_held_to_requirements_of_a_law_that_is_gone_still_opens(service
 
 def test_sweeps_and_searches_take_options(service: Service) -> None:
     sweep = {"grid": {"own.mine.damping": [0, 3000, 6000]}}
-    batch = computed(service.client, scenario=SCENARIO, strategies=["mine", "passive"], sweep=sweep)
+    batch = computed(service, scenario=SCENARIO, strategies=["mine", "passive"], sweep=sweep)
     figures = {"figures": "bump.body_acceleration.peak"}
-    table = service.client.get(f"/api/v1/batches/{batch['id']}/table", params=figures).json()
+    table = service.get(f"/api/v1/batches/{batch['id']}/table", params=figures).json()
     columns = table["columns"]
     assert table["units"]["own.mine.damping"] == "N·s/m"
     assert columns["own.mine.damping"] == [0, 0, 3000, 3000, 6000, 6000]
@@ -141,7 +141,7 @@ def test_sweeps_and_searches_take_options(service: Service) -> None:
         "metric": "bump.front_force.peak",
         "limit": 500,
     }
-    solution = service.client.post("/api/v1/solve", json=question).json()
+    solution = service.post("/api/v1/solve", json=question).json()
     assert 0 < solution["value"] < 3000
     assert solution["metric_value"] <= 500 < max(each["metric_value"] for each in solution["tried"])
 
@@ -153,9 +153,9 @@ def test_a_robustness_study_judges_the_law_that_it_drove(service: Service, folde
     ranges = {"own.mine.damping": [1000, 9000], "mismatch.body_mass": [0.8, 1.2]}
     sweep = {"latin_hypercube": {"ranges": ranges, "samples": 4}}
     strategies = ["mine", "steady", "passive"]
-    batch = computed(service.client, scenario=SCENARIO, strategies=strategies, sweep=sweep)["id"]
+    batch = computed(service, scenario=SCENARIO, strategies=strategies, sweep=sweep)["id"]
     summary = f"/api/v1/batches/{batch}/summary?baseline=passive&figures=bump.front_force.peak"
-    study = service.client.get(summary).json()["strategies"]
+    study = service.get(summary).json()["strategies"]
     forces = study["mine"]["figures"]["bump.front_force.peak"]
     assert forces["nominal"] == driven(service, ["mine"])["mine"]["metrics"]["bump"]["front_force"]["peak"]
     assert 0 < forces["lowest"]["value"] < forces["highest"]["value"]
@@ -166,7 +166,7 @@ def test_a_robustness_study_judges_the_law_that_it_drove(service: Service, folde
     assert study["mine"]["stability"]["known"] == 0, "it says no linear law"
     file.write_text(STEADY.replace("2000", "9000"))
     anew = summary.replace("passive", "mine")  # computed, not the one that was kept
-    changed = service.client.get(anew).json()["strategies"]["steady"]
+    changed = service.get(anew).json()["strategies"]["steady"]
     peak = changed["figures"]["bump.front_force.peak"]
     assert (peak["mean"], peak["nominal"]) == (study["steady"]["figures"]["bump.front_force.peak"]["mean"], None)
     assert changed["stability"]["known"] == 0, "the new law did not drive these"
@@ -178,11 +178,11 @@ def test_the_tuner_searches_options_of_the_law_it_began_with(service: Service, f
     file.write_text(LAW.replace("mine", "tuned"))
     figure = {"kind": "figure", "figure": "bump.body_acceleration.peak"}
     more: dict[str, Any] = {"strategy": "tuned", "objectives": [figure], "limits": [], "trials": 4, "population": 4}
-    begun = begin(service.client, **more, scenario=SCENARIO, seeds=[1], fresh_seeds=[2, 3])
-    tuned = wait_for(service.client, begun["id"])
+    begun = begin(service, **more, scenario=SCENARIO, seeds=[1], fresh_seeds=[2, 3])
+    tuned = wait_for(service, begun["id"])
     assert (tuned["state"], tuned["source"]["file"]) == ("done", "tuned.py"), tuned["reason"]
     assert (tuned["paper"]["weights"], tuned["own"]) == ({"own.tuned.damping": 2000}, None)
-    tried = [each["weights"]["own.tuned.damping"] for each in trials(service.client, begun["id"])]
+    tried = [each["weights"]["own.tuned.damping"] for each in trials(service, begun["id"])]
     assert all(0 <= each <= 20_000 for each in tried), "linear: its bounds begin with 0"
     (best,) = tuned["best"]
     scenario = {"road": {**ROAD, "seed": 1}, "own": {"tuned": {"damping": best["weights"]["own.tuned.damping"]}}}
@@ -190,11 +190,11 @@ def test_the_tuner_searches_options_of_the_law_it_began_with(service: Service, f
     assert best["values"] == [alone["tuned"]["metrics"]["bump"]["body_acceleration"]["peak"]]
     assert tuned["comparison"]["points"][0]["weights"] == {"own.tuned.damping": 2000}
     file.write_text(file.read_text().replace("2000.0", "3000.0"))
-    service.client.post(f"/api/v1/tunings/{begun['id']}/resume?trials=5").raise_for_status()
-    resumed = wait_for(service.client, begun["id"])
+    service.post(f"/api/v1/tunings/{begun['id']}/resume?trials=5").raise_for_status()
+    resumed = wait_for(service, begun["id"])
     assert resumed["reason"] == "tuned.py has changed or gone since it began: begin another tuning"
     file.unlink()
-    assert get(service.client, begun["id"])["best"] == tuned["best"], "its numbers stay"
+    assert get(service, begun["id"])["best"] == tuned["best"], "its numbers stay"
 
 
 @pytest.mark.parametrize(
@@ -220,7 +220,7 @@ def test_the_tuner_searches_options_of_the_law_it_began_with(service: Service, f
 def test_what_cannot_be_tuned_of_a_law_is_refused_at_its_field(
     service: Service, asked: dict[str, Any], pointer: str, said: str
 ) -> None:
-    answer = service.client.post("/api/v1/tunings", json={"strategy": "mine", "dry_run": True, **asked})
+    answer = service.post("/api/v1/tunings", json={"strategy": "mine", "dry_run": True, **asked})
     (error,) = answer.json()["errors"]
     assert (answer.status_code, error["pointer"]) == (422, f"/{pointer}")
     assert error["message"].startswith(said)

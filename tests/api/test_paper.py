@@ -76,12 +76,12 @@ def test_both_named_sets_stand_beside_each_other_under_any_reading(
 def test_a_single_switch_overrides_the_named_set(service: Service) -> None:
     """Where the RMS are taken changes no run, so nothing is computed for it."""
     query = {"interpretation": "favourable", "window": "to_bump"}
-    answer = service.client.get(PAPER, params=query | {"preview": "lookahead"}).json()
+    answer = service.get(PAPER, params=query | {"preview": "lookahead"}).json()
     assert answer["interpretation"] is None
     choices = {reading["id"]: reading["chosen"] for reading in answer["readings"]}
     assert choices == answer["interpretations"][1]["choices"] | {"window": "to_bump"}
     assert answer["scenario"]["vehicle"]["cg_height"] == 0
-    full = service.client.get(PAPER, params={"interpretation": "favourable"}).json()
+    full = service.get(PAPER, params={"interpretation": "favourable"}).json()
     for one, other in zip(answer["cells"], full["cells"], strict=True):
         assert (one["our_value"] == other["our_value"]) == (one["window"] == "bump")
 
@@ -96,7 +96,7 @@ def test_cells_of_other_roads_appear_as_they_come(service: Service, monkeypatch:
 
     Of the roads asked for, only the first few are driven here.
     """
-    paper, asked, answers = service.app.state.services.paper, set[range](), list[dict[str, Any]]()
+    paper, asked, answers = service.services.paper, set[range](), list[dict[str, Any]]()
     reproduction = paper.reproduction
 
     def of_few(choices: Mapping[str, str], roads: range, client: str, **more: Any) -> Any:
@@ -105,7 +105,7 @@ def test_cells_of_other_roads_appear_as_they_come(service: Service, monkeypatch:
 
     def ask() -> bool:
         query = {"first_seed": 31, "seeds": 30, "partial": True}
-        answers.append(service.client.get(PAPER, params=query).json())
+        answers.append(service.get(PAPER, params=query).json())
         return bool(answers[-1]["complete"])
 
     monkeypatch.setattr(paper, "reproduction", of_few)
@@ -115,7 +115,7 @@ def test_cells_of_other_roads_appear_as_they_come(service: Service, monkeypatch:
     assert {cell["verdict"] for cell in first["cells"]} == {"pending"}
     assert first["progress"]["done"] < first["progress"]["total"] == last["progress"]["done"]
     assert (last["first_seed"], last["seeds"], last["total"]) == (31, FEW, 48)
-    assert service.client.get("/api/v1/batches", params={"limit": 500, "state": "running"}).json()["batches"] == []
+    assert service.get("/api/v1/batches", params={"limit": 500, "state": "running"}).json()["batches"] == []
     (base,) = {
         cell["our_base"]
         for cell in last["cells"]
@@ -151,7 +151,7 @@ def test_the_figures_are_the_paper_s(client: httpx.Client) -> None:
 
 def test_more_than_it_bears_at_once_is_refused(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("backend.paper.rows.MAX_JOBS", 0)
-    response = service.client.get(PAPER, params={"first_seed": "9000"})
+    response = service.get(PAPER, params={"first_seed": "9000"})
     assert (response.status_code, response.json()["type"]) == (503, "urn:problem-type:ridelab:full")
     assert response.headers["retry-after"]
 

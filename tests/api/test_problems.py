@@ -90,7 +90,7 @@ def test_what_goes_wrong_inside_tells_nothing_of_the_inside(
     async def fail(*_: Any, **__: Any) -> None:
         raise error
 
-    monkeypatch.setattr(service.app.state.services.runs, "create", fail)
+    monkeypatch.setattr(service.services.runs, "create", fail)
     response = service.run(["passive"])
     problem = check(response, status, kind)
     assert "secret" not in response.text
@@ -107,7 +107,7 @@ def test_a_scenario_that_costs_too_much_is_refused_with_limit_and_estimate(servi
     cost = sum(estimate(scenario, strategy) for strategy in ("lv", "suspension_only"))
     for send in (service.run, service.live):
         problem = check(send(["lv", "suspension_only"], HARD), 422, "cost-limit")
-        assert f"{service.app.state.services.settings.max_request_cost:g}" in problem.detail
+        assert f"{service.services.settings.max_request_cost:g}" in problem.detail
         assert f"{cost:.3g}" in problem.detail
         assert [place.pointer for place in problem.errors] == ["/scenario"]
 
@@ -136,11 +136,11 @@ def test_a_client_that_goes_away_calls_its_request_off(
             called_off.set()
             raise
 
-    monkeypatch.setattr(service.app.state.services.workers, "call", never)
+    monkeypatch.setattr(service.services.workers, "call", never)
     with service.begun("POST", f"/api/v1/{path}", asked):
         assert waiting.wait(HANG_TIMEOUT)
     assert called_off.wait(HANG_TIMEOUT)
-    wait_until(lambda: service.app.state.services.gate.load["requests"] == 0, "it is over")
+    wait_until(lambda: service.services.gate.load["requests"] == 0, "it is over")
     assert next(calls) == 1, "nothing more was begun"
     monkeypatch.undo()
-    assert service.client.post(f"/api/v1/{path}", json=asked).status_code == 200
+    assert service.post(f"/api/v1/{path}", json=asked).status_code == 200

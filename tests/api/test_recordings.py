@@ -90,17 +90,17 @@ def test_its_curves_are_drawn_exported_and_reported(
 
 def test_a_link_pins_it(service: Service, shown: dict[str, Any], sent: dict[str, Any]) -> None:
     view = {"baseline": sent["strategy"], "strategies": ["passive", sent["strategy"]]}
-    answer = service.client.post("/api/v1/links", json={"run_id": shown["id"], "view": view})
+    answer = service.post("/api/v1/links", json={"run_id": shown["id"], "view": view})
     assert answer.json()["series_pinned"] is True, answer.text
     parameters = {"strategy": sent["strategy"]}
-    before = service.client.get(f"/api/v1/runs/{shown['id']}/series", params=parameters).json()
-    store = service.app.state.services.store
+    before = service.get(f"/api/v1/runs/{shown['id']}/series", params=parameters).json()
+    store = service.services.store
     with store.writing() as connection:
         connection.execute(delete(run_recordings).where(run_recordings.c.recording_id == sent["id"]))
         connection.execute(delete(recordings).where(recordings.c.id == sent["id"]))
-    after = service.client.get(f"/api/v1/runs/{shown['id']}/series", params=parameters).json()
+    after = service.get(f"/api/v1/runs/{shown['id']}/series", params=parameters).json()
     assert after == before
-    assert send(service.client, recorded(*SENT)).json()["id"] == sent["id"]
+    assert send(service, recorded(*SENT)).json()["id"] == sent["id"]
 
 
 @pytest.mark.parametrize(
@@ -146,7 +146,7 @@ def test_a_recording_is_held_to_requirements(service: Service, shown: dict[str, 
     metric, name = "bump.body_acceleration.peak", sent["strategy"]
     requirements = [{"metric": metric, "max_change": 5, "strategies": [name]}, {"metric": metric, "max": 0.1}]
     body = {"scenario": SCENARIO, "strategies": ["passive", name], "requirements": requirements}
-    answer = service.client.post("/api/v1/runs", json=body).json()
+    answer = service.post("/api/v1/runs", json=body).json()
     assert answer["id"] == shown["id"]
     results = answer["requirement_results"]
     assert [(each["strategy"], each["result"]) for each in results] == [(name, "pass"), (name, "fail")]
@@ -168,16 +168,16 @@ def test_what_is_no_recording_is_refused(client: httpx.Client, content: str, col
 
 
 def test_one_that_nothing_shows_is_removed_when_it_is_old(service: Service) -> None:
-    store = service.app.state.services.store
-    alone = send(service.client, recorded("time", "body_acceleration", every=20)).json()["id"]
+    store = service.services.store
+    alone = send(service, recorded("time", "body_acceleration", every=20)).json()["id"]
     long_ago = store.now() - store.now().resolution * 10**13
     with store.writing() as connection:
         connection.execute(update(recordings).values(created_at=long_ago))
         connection.execute(update(results).where(results.c.strategy == MISSING).values(created_at=long_ago))
     held = {row.recording_id for row in _rows(store)}
     store.retention.remove_recordings(store.now())
-    assert service.client.get(f"/api/v1/recordings/{alone}").status_code == 404
-    assert all(service.client.get(f"/api/v1/recordings/{each}").status_code == 200 for each in held)
+    assert service.get(f"/api/v1/recordings/{alone}").status_code == 404
+    assert all(service.get(f"/api/v1/recordings/{each}").status_code == 200 for each in held)
 
 
 def _rows(store: Any) -> list[Any]:

@@ -179,11 +179,11 @@ def test_it_is_compressed_where_that_is_taken(
 def test_a_run_without_histories_keeps_its_tables(service: Any, run: dict[str, Any]) -> None:
     from dataclasses import replace
 
-    store = service.app.state.services.store
+    store = service.services.store
     stored = store.runs.load(run["id"])
     older = tuple(replace(item, key=f"older-{item.key}"[:43]) for item in stored.results)
     store.runs.save(replace(stored, id="report-of-an-older-one", core_version="0.0.2", results=older))
-    answer = service.client.get("/api/v1/runs/report-of-an-older-one/report.html")
+    answer = service.get("/api/v1/runs/report-of-an-older-one/report.html")
     assert answer.status_code == 200
     assert "script-src 'none'" in answer.headers["content-security-policy"]
     root = read(answer.text)

@@ -34,7 +34,7 @@ def test_a_run_is_held_to_requirements_which_are_no_part_of_its_id(service: Serv
         {"metric": PEAK, "max_change": change - 0.1, "strategies": ["lv"]},
         {"metric": "events.ecu_most_iterations", "max": 9, "strategies": ["lv"]},
     ]
-    answer = judged(service.client, requirements)
+    answer = judged(service, requirements)
     results = answer.pop("requirement_results")
     assert [(each["strategy"], each["result"]) for each in results] == [
         *(("lv", "pass"), ("lqr", "fail"), ("passive", "pass")),
@@ -44,9 +44,9 @@ def test_a_run_is_held_to_requirements_which_are_no_part_of_its_id(service: Serv
     assert (results[3]["baseline"], results[3]["value"]) == ("passive", pytest.approx(change, rel=1e-12))
     assert (results[5]["value"], results[5]["reason"]) == (None, "It has no such metric")
     assert answer["id"] == run["id"]
-    stored = service.client.get(f"/api/v1/runs/{run['id']}")
+    stored = service.get(f"/api/v1/runs/{run['id']}")
     assert "requirement_results" not in stored.json()
-    held = service.client.get(f"/api/v1/runs/{run['id']}", params={"requirements": json.dumps(requirements)})
+    held = service.get(f"/api/v1/runs/{run['id']}", params={"requirements": json.dumps(requirements)})
     assert held.json()["requirement_results"] == results
 
 
@@ -66,7 +66,7 @@ def test_over_several_roads_a_limit_within_the_interval_is_uncertain(client: htt
 
 def test_a_strategy_that_cannot_run_fails_with_its_reason(service: Service, lqr_fails: int) -> None:
     scenario = {"road": {**ROAD, "seed": lqr_fails}}
-    answer = judged(service.client, [{"metric": PEAK, "max": 99, "strategies": ["lqr"]}], scenario=scenario)
+    answer = judged(service, [{"metric": PEAK, "max": 99, "strategies": ["lqr"]}], scenario=scenario)
     (result,) = answer["requirement_results"]
     assert (result["result"], result["reason"]) == ("fail", "no controller")
 

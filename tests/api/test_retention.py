@@ -256,28 +256,28 @@ def test_the_oldest_goes_first_where_all_is_too_large(store: Store, monkeypatch:
 def expired(service: Service, request: pytest.FixtureRequest) -> Any:
     """A run whose results were removed, as its POST answered."""
     scenario = {"road": {"length": 12 + len(request.node.name) / 100, "bump": {"start": 5, "width": 2}}}
-    run, store = service.run(["passive", "lqr"], scenario).json(), service.app.state.services.store
-    keys = [result.key for result in store.runs.load(run["id"]).results]
+    run, store = service.run(["passive", "lqr"], scenario).json(), service.services.store
+    keys = [result.key for result in there(store.runs.load(run["id"])).results]
     with store.writing() as connection:
         connection.execute(update(results).where(results.c.key.in_(keys)).values(created_at=LONG_AGO))
     apply(store, retention_days=30)
-    assert store.runs.load(run["id"]).expired
+    assert there(store.runs.load(run["id"])).expired
     return run
 
 
 def check_computed_again(service: Service, run: dict[str, Any]) -> None:
-    again = service.client.get(f"/api/v1/runs/{run['id']}").json()
+    again = service.get(f"/api/v1/runs/{run['id']}").json()
     assert again["core_version"] == run["core_version"]
     for name, strategy in again["strategies"].items():
         assert strategy["metrics"] == run["strategies"][name]["metrics"]
-    assert not service.app.state.services.store.runs.load(run["id"]).expired
+    assert not there(service.services.store.runs.load(run["id"])).expired
 
 
 def test_a_failure_that_is_not_the_scenarios_does_not_take_their_place(
     service: Service, expired: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It would be the run's result for ever."""
-    call = service.app.state.services.workers.call
+    call = service.services.workers.call
 
     async def away(*arguments: Any, **queued: Any) -> Any:
         failed = {"status": "failed", "json": b'{"reason":"its road is away"}', "cacheable": False, "series": None}
@@ -285,8 +285,8 @@ def test_a_failure_that_is_not_the_scenarios_does_not_take_their_place(
 
     with monkeypatch.context() as patch:
         patch.setattr(ResultCache, "get", lambda *_: None)
-        patch.setattr(service.app.state.services.workers, "call", away)
-        assert service.client.get(f"/api/v1/runs/{expired['id']}").status_code == 410
-    assert service.app.state.services.store.runs.load(expired["id"]).expired
-    assert 'ridelab_removed_total{what="results"}' in service.client.get("/metrics").text
+        patch.setattr(service.services.workers, "call", away)
+        assert service.get(f"/api/v1/runs/{expired['id']}").status_code == 410
+    assert there(service.services.store.runs.load(expired["id"])).expired
+    assert 'ridelab_removed_total{what="results"}' in service.get("/metrics").text
     check_computed_again(service, expired)

@@ -30,7 +30,7 @@ def scenario(road: dict[str, Any]) -> dict[str, Any]:
 
 
 def post(service: Any, **body: Any) -> Any:
-    return service.client.post("/api/v1/runs", json=body)
+    return service.post("/api/v1/runs", json=body)
 
 
 @pytest.fixture(scope="module")
@@ -83,7 +83,7 @@ def test_asked_again_it_is_stored_under_the_same_id(
     assert again["id"] == three["id"]
     assert all(entry["cached"] for entry in again["strategies"].values())
     assert again["changes"] == three["changes"]
-    stored = service.client.get(f"/api/v1/runs/{three['id']}").json()
+    stored = service.get(f"/api/v1/runs/{three['id']}").json()
     RoadsRun.model_validate(stored)
     assert {**stored, "strategies": None} == {**three, "strategies": None}
 
@@ -106,7 +106,7 @@ def test_another_baseline_is_another_run_of_the_same_results(
     assert other["baseline"] == "lqr"
     assert set(other["changes"]) == {"passive"}
     assert all(entry["cached"] for entry in other["strategies"].values())
-    asked = service.client.get(f"/api/v1/runs/{three['id']}/changes", params={"baseline": "lqr"}).json()
+    asked = service.get(f"/api/v1/runs/{three['id']}/changes", params={"baseline": "lqr"}).json()
     assert asked["changes"] == other["changes"]
 
 
@@ -119,7 +119,7 @@ def higher(service: Any, scenario: dict[str, Any]) -> Any:
 
 
 def changes(service: Any, run: str, against: str) -> Any:
-    return service.client.get(f"/api/v1/runs/{run}/changes", params={"against": against})
+    return service.get(f"/api/v1/runs/{run}/changes", params={"against": against})
 
 
 def test_changes_against_another_run_are_paired_by_road(
@@ -138,7 +138,7 @@ def test_changes_against_another_run_are_paired_by_road(
     change = answer["changes"]["passive"]["bump"]["body_acceleration"]["peak"]
     assert change == pytest.approx(triple(expected), rel=1e-9)
     assert answer["changes"]["passive"]["rough_road"]["body_acceleration"]["rms"] == {"mean": 0, "low": 0, "high": 0}
-    report = service.client.get(f"/api/v1/runs/{higher['id']}/report.html", params={"against": three["id"]}).text
+    report = service.get(f"/api/v1/runs/{higher['id']}/report.html", params={"against": three["id"]}).text
     check(read(report))
     assert f"run {three['id']}, strategy by strategy" in report
     assert f"+{change['mean']:.0f} ± {change['high'] - change['mean']:.0f}\u2009%" in report
@@ -161,9 +161,9 @@ def test_changes_are_refused_against_other_roads(service: Any, three: dict[str, 
         assert error["parameter"] == "against"
         assert says in error["message"]
     for query in ({}, {"against": three["id"], "baseline": "lqr"}):
-        refused = service.client.get(f"/api/v1/runs/{three['id']}/changes", params=query)
+        refused = service.get(f"/api/v1/runs/{three['id']}/changes", params=query)
         assert refused.json()["errors"][0]["parameter"] == "against"
-    absent = service.client.get(f"/api/v1/runs/{three['id']}/changes", params={"baseline": "lv"})
+    absent = service.get(f"/api/v1/runs/{three['id']}/changes", params={"baseline": "lv"})
     assert absent.json()["errors"][0]["parameter"] == "baseline"
     alone = changes(service, one, one)
     assert (alone.status_code, alone.json()["errors"][0]["parameter"]) == (422, "id")
@@ -171,7 +171,7 @@ def test_changes_are_refused_against_other_roads(service: Any, three: dict[str, 
 
 
 def test_more_roads_compute_only_what_is_new(service: Any, three: dict[str, Any], scenario: dict[str, Any]) -> None:
-    stored = service.client.get(f"/api/v1/runs/{three['id']}").json()
+    stored = service.get(f"/api/v1/runs/{three['id']}").json()
     before = {name: entry["compute_ms"] for name, entry in stored["strategies"].items()}
     four = post(service, scenario=scenario, strategies=["lqr", "passive"], roads=4).json()
     assert not any(entry["cached"] for entry in four["strategies"].values())
@@ -196,16 +196,16 @@ def test_a_failure_on_one_road_is_the_strategys_and_names_the_seed(service: Serv
     assert answer["strategies"]["lqr"]["reason"] == "Road seed 72: no controller"
     assert answer["strategies"]["passive"]["status"] == "ok"
     assert answer["changes"] == {}, "the baseline failed"
-    drawn = service.client.get(f"/api/v1/runs/{answer['id']}/figures/speed").json()
+    drawn = service.get(f"/api/v1/runs/{answer['id']}/figures/speed").json()
     assert [trace["meta"]["strategy"] for trace in drawn["data"]] == ["passive"]
-    report = service.client.get(f"/api/v1/runs/{answer['id']}/report.html")
+    report = service.get(f"/api/v1/runs/{answer['id']}/report.html")
     assert "Road seed 72: no controller" in report.text
 
 
 def test_equal_requests_at_once_drive_each_road_once_a_few_at_a_time(
     service: Any, road: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    workers, seeds, at_once = service.app.state.services.workers, [], []
+    workers, seeds, at_once = service.services.workers, [], []
     original = workers.call
 
     async def counted(function: Any, scenario: Scenario, *arguments: Any, **queued: Any) -> Any:
@@ -226,12 +226,12 @@ def test_equal_requests_at_once_drive_each_road_once_a_few_at_a_time(
 
 
 def test_a_link_and_its_preview_open(service: Any, three: dict[str, Any]) -> None:
-    created = service.client.post("/api/v1/links", json={"run_id": three["id"]}).json()
-    link = service.client.get(f"/api/v1/links/{created['slug']}").json()
+    created = service.post("/api/v1/links", json={"run_id": three["id"]}).json()
+    link = service.get(f"/api/v1/links/{created['slug']}").json()
     assert created["series_pinned"] is True
     assert link["run"]["changes"] == three["changes"]
     change = three["changes"]["lqr"]["bump"]["body_acceleration"]["peak"]["mean"]
-    head = service.client.get(f"/s/{created['slug']}").text
+    head = service.get(f"/s/{created['slug']}").text
     assert f"{abs(round(change))} % {'less' if change < 0 else 'more'} peak body acceleration" in head
     assert "mean of 3 roads" in head
 
@@ -239,7 +239,7 @@ def test_a_link_and_its_preview_open(service: Any, three: dict[str, Any]) -> Non
 def test_figures_and_series_are_the_first_roads(service: Any, three: dict[str, Any], scenario: dict[str, Any]) -> None:
     single = post(service, scenario=scenario, strategies=["lqr", "passive"]).json()["id"]
     for path in ("series?strategy=lqr,passive&points=50", "figures/body_acceleration"):
-        ours, its = (service.client.get(f"/api/v1/runs/{run}/{path}") for run in (three["id"], single))
+        ours, its = (service.get(f"/api/v1/runs/{run}/{path}") for run in (three["id"], single))
         assert ours.status_code == 200
         assert ours.json() == its.json()
 
@@ -250,7 +250,7 @@ def test_bands_are_mean_and_extremes_of_the_single_runs(
     """At each sample, which every road shares; fewer points are some of them, with every extreme."""
     path = f"/api/v1/runs/{three['id']}/bands"
     whole, few = (
-        service.client.get(path, params={"strategy": "lqr", **points}).json()["strategies"]["lqr"]
+        service.get(path, params={"strategy": "lqr", **points}).json()["strategies"]["lqr"]
         for points in ({}, {"points": 300})
     )
     singles = [simulate(road, "lqr").series for road in seeded(Scenario.model_validate(scenario), 3)]
@@ -268,7 +268,7 @@ def test_bands_are_mean_and_extremes_of_the_single_runs(
             assert (min(few[part][key]), max(few[part][key])) == (min(values), max(values))
             assert key not in common or np.ptp(drives, axis=0).max() == 0
     one = post(service, scenario=scenario, strategies=["lqr"]).json()["id"]
-    assert "one road" in service.client.get(f"/api/v1/runs/{one}/bands").json()["detail"]
+    assert "one road" in service.get(f"/api/v1/runs/{one}/bands").json()["detail"]
 
 
 def test_bands_are_driven_once_in_slices_and_refused_of_another_core(
@@ -277,7 +277,7 @@ def test_bands_are_driven_once_in_slices_and_refused_of_another_core(
     """Two equal requests at once drive each road once; a third, for fewer points, none."""
     body = {"scenario": {"road": {**road, "seed": 600}}, "strategies": ["lqr", "passive"], "roads": 6}
     run = post(service, **body).json()["id"]
-    workers, slices = service.app.state.services.workers, []
+    workers, slices = service.services.workers, []
     original = workers.call
 
     async def counted(function: Any, *arguments: Any, **queued: Any) -> Any:
@@ -291,7 +291,7 @@ def test_bands_are_driven_once_in_slices_and_refused_of_another_core(
     monkeypatch.setattr(bands, "LONGEST_TASK", 0.0)
 
     def asked(points: int) -> Any:
-        return service.client.get(f"/api/v1/runs/{run}/bands", params={"points": points})
+        return service.get(f"/api/v1/runs/{run}/bands", params={"points": points})
 
     with ThreadPoolExecutor(2) as threads:
         answers = [each.json() for each in threads.map(asked, [500, 500])]
@@ -302,7 +302,7 @@ def test_bands_are_driven_once_in_slices_and_refused_of_another_core(
     assert (answers[0]["roads"], list(answers[0]["strategies"])) == (6, ["lqr", "passive"])
     assert len(fewer["strategies"]["lqr"]["mean"]["time"]) < len(answers[0]["strategies"]["lqr"]["mean"]["time"])
 
-    refused = service.client.get(f"/api/v1/runs/{run}/bands?strategy=lv")
+    refused = service.get(f"/api/v1/runs/{run}/bands?strategy=lv")
     assert refused.status_code == 422
     assert "lqr, passive" in refused.json()["detail"]
     monkeypatch.setattr(histories, "CORE_VERSION", "9.0.0")
@@ -326,7 +326,7 @@ def test_bands_take_limited_memory(
         assert size / 2 < file.stat().st_size < 1.05 * size
 
     def asked(query: str = "") -> Any:
-        return service.client.get(f"/api/v1/runs/{run['id']}/bands?points=60{query}")
+        return service.get(f"/api/v1/runs/{run['id']}/bands?points=60{query}")
 
     monkeypatch.setattr(bands, "MAX_BYTES", sum(sizes) - 1)
     refused = asked()
@@ -336,7 +336,7 @@ def test_bands_take_limited_memory(
 
 
 def test_the_report_shows_all_roads_and_whose_curves(service: Any, three: dict[str, Any]) -> None:
-    response = service.client.get(f"/api/v1/runs/{three['id']}/report.html?baseline=lqr")
+    response = service.get(f"/api/v1/runs/{three['id']}/report.html?baseline=lqr")
     assert response.status_code == 200
     page = read(response.text)
     check(page)

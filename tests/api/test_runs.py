@@ -103,14 +103,14 @@ def test_get_is_the_same_run_without_cached_and_immutable(client: Any, run: dict
 
 
 def test_what_the_client_has_is_neither_read_nor_rendered(
-    service: Any, client: Any, run: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+    service: Any, run: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path, tag = f"/api/v1/runs/{run['id']}", f'W/"{run["id"]}"'
     monkeypatch.delattr(RunStore, "load")
-    assert client.get(path, headers={"If-None-Match": tag}).status_code == 304
+    assert service.get(path, headers={"If-None-Match": tag}).status_code == 304
     monkeypatch.undo()
     unknown = f'W/"{"A" * 22}"'
-    assert client.get(f"/api/v1/runs/{'A' * 22}", headers={"If-None-Match": unknown}).status_code == 404
+    assert service.get(f"/api/v1/runs/{'A' * 22}", headers={"If-None-Match": unknown}).status_code == 404
 
 
 def assert_same_in_binary(strategies: dict[str, Any], response: Any) -> None:
@@ -130,14 +130,14 @@ def assert_same_in_binary(strategies: dict[str, Any], response: Any) -> None:
     assert (numbers, length % 4) == (b"", 0)
 
 
-def test_live_answers_series_and_stores_nothing(service: Any, client: Any, unseen: dict[str, Any]) -> None:
+def test_live_answers_series_and_stores_nothing(service: Any, unseen: dict[str, Any]) -> None:
     first = service.live(["lv", "passive"], unseen)
     assert first.status_code == 200
     answer = first.json()
     LiveRun.model_validate(answer)
     assert set(answer) == {"core_version", "scenario", "characteristics", "strategies"}
     identifier = run_id(Scenario.model_validate(answer["scenario"]), ["lv", "passive"])
-    assert client.get(f"/api/v1/runs/{identifier}").status_code == 404
+    assert service.get(f"/api/v1/runs/{identifier}").status_code == 404
     for entry in answer["strategies"].values():
         assert entry["cached"] is False
         assert list(entry["series"]) == list(SIGNALS)
@@ -165,12 +165,12 @@ def test_a_refused_strategy_fails_alone_and_says_why(service: Service, lqr_fails
         "fields": [],
     }
     assert answer["strategies"]["passive"]["status"] == "ok"
-    stored = service.client.get(f"/api/v1/runs/{answer['id']}").json()
+    stored = service.get(f"/api/v1/runs/{answer['id']}").json()
     assert stored["strategies"]["lqr"]["reason"] == "no controller"
     assert service.run(["lqr"], scenario).json()["strategies"]["lqr"]["cached"] is True
-    series = service.client.get(f"/api/v1/runs/{answer['id']}/series?points=20").json()
+    series = service.get(f"/api/v1/runs/{answer['id']}/series?points=20").json()
     assert series["strategy"] == "passive", "the only one with time histories"
-    assert set(service.client.get(f"/api/v1/runs/{answer['id']}/figures").json()["figures"])
+    assert set(service.get(f"/api/v1/runs/{answer['id']}/figures").json()["figures"])
 
 
 def test_a_rule_base_of_its_own_changes_those_that_slow_down_and_comes_back_as_it_was_sent(service: Any) -> None:
@@ -182,9 +182,9 @@ def test_a_rule_base_of_its_own_changes_those_that_slow_down_and_comes_back_as_i
     assert times[0][1] > times[0][0] + 0.5
     assert times[1][1] == times[1][0]
     assert own["strategies"]["passive"]["cached"] is True, "it reads no rule"
-    stored = service.client.get(f"/api/v1/runs/{own['id']}").json()["scenario"]["fuzzy"]
+    stored = service.get(f"/api/v1/runs/{own['id']}").json()["scenario"]["fuzzy"]
     assert [(rule["if"]["speed_error"], rule["then"]) for rule in stored["rules"]] == [(each, "V") for each in "OSMLV"]
-    report = service.client.get(f"/api/v1/runs/{own['id']}/report.html").text
+    report = service.get(f"/api/v1/runs/{own['id']}/report.html").text
     assert "fuzzy.rules=" in report
     again = service.run(["speed_only"], {"fuzzy": stored}).json()
     assert again["strategies"]["speed_only"]["cached"] is True

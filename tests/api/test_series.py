@@ -71,10 +71,10 @@ def test_chosen_signals_come_with_time_and_position(client: httpx.Client, addres
     assert table(client, address, strategy="lv", signals="speed")[0] == ["time [s]", "position [m]", "speed [m/s]"]
 
 
-def test_the_strategy_may_be_omitted_where_there_is_one(service: Any, client: httpx.Client, address: str) -> None:
+def test_the_strategy_may_be_omitted_where_there_is_one(service: Any, address: str) -> None:
     single = service.run(["passive"], {"road": {"length": 132.1}}).json()
-    assert client.get(f"/api/v1/runs/{single['id']}/series?points=50").json()["strategy"] == "passive"
-    refused = client.get(address)
+    assert service.get(f"/api/v1/runs/{single['id']}/series?points=50").json()["strategy"] == "passive"
+    refused = service.get(address)
     assert refused.status_code == 422
     assert refused.json()["errors"][0]["parameter"] == "strategy"
     assert "lqr" in refused.json()["detail"]
@@ -105,13 +105,11 @@ def test_peaks_survive_decimation(client: httpx.Client, address: str, run: dict[
 
 
 @pytest.mark.parametrize("signals", [list(SIGNALS), ["speed"]])
-def test_live_series_are_those_of_the_stored_run(
-    service: Any, client: httpx.Client, address: str, signals: list[str]
-) -> None:
-    scenario = client.get(address.removesuffix("/series")).json()["scenario"]
+def test_live_series_are_those_of_the_stored_run(service: Any, address: str, signals: list[str]) -> None:
+    scenario = service.get(address.removesuffix("/series")).json()["scenario"]
     live = service.live(["lv"], scenario, points=300, signals=signals).json()["strategies"]["lv"]["series"]
     query: dict[str, Any] = {"strategy": "lv", "points": 300, "encoding": "base64", "signals": ",".join(signals)}
-    assert live == client.get(address, params=query).json()["series"]
+    assert live == service.get(address, params=query).json()["series"]
 
 
 @given(

@@ -270,11 +270,11 @@ def test_a_damaged_page_is_said_once_it_is_met(
     """The header and most rows are as they were: only who reads the page can know."""
     body = {"scenario": {"road": {"length": 12, "bump": {"start": 5, "width": 2}}}, "strategies": ["passive"]}
     for service in serve(Settings(data_dir=tmp_path, workers=1, batch_workers=1)):
-        run = service.client.post("/api/v1/runs", json=body).raise_for_status().json()
-        assert service.client.get("/readyz").json()["reason"] is None
+        run = service.post("/api/v1/runs", json=body).raise_for_status().json()
+        assert service.get("/readyz").json()["reason"] is None
         spoil(tmp_path / "ridelab.sqlite")
-        assert service.client.get(f"/api/v1/runs/{run['id']}").status_code == 503
-        unready = service.client.get("/readyz")
+        assert service.get(f"/api/v1/runs/{run['id']}").status_code == 503
+        unready = service.get("/readyz")
         assert (unready.status_code, unready.json()["store"]) == (503, False)
         assert unready.json()["reason"] == database.DAMAGED
     (said,) = (each.getMessage() for each in caplog.records if "ridelab.sqlite" in each.getMessage())

@@ -39,19 +39,19 @@ def grown(before: Samples, after: Samples, name: str, **labels: str) -> float:
 
 
 def test_runs_and_the_cache_are_counted(service: Any) -> None:
-    before = samples(service.client)
+    before = samples(service)
     scenario = {"road": {"length": 137.5, "bump": {"start": 90}}}
     assert service.run(["passive", "lqr"], scenario).status_code == 200
-    between = samples(service.client)
+    between = samples(service)
     assert grown(before, between, "ridelab_runs_total", kind="interactive", status="ok") == 2
     assert grown(before, between, "ridelab_cache_total", outcome="miss") == 2
     assert service.run(["passive"], scenario).status_code == 200
-    after = samples(service.client)
+    after = samples(service)
     assert grown(between, after, "ridelab_runs_total", kind="interactive", status="ok") == 0
     assert grown(between, after, "ridelab_cache_total", outcome="hit") == 1
     assert grown(between, after, "ridelab_cache_total", outcome="miss") == 0
     assert service.run(["passive", "lqr"], scenario).status_code == 200
-    whole = samples(service.client)
+    whole = samples(service)
     assert grown(after, whole, "ridelab_cache_total", outcome="hit") == 2, "one a strategy of a stored run"
 
 
@@ -93,21 +93,21 @@ def test_refusals_are_counted_by_reason(client: httpx.Client) -> None:
 
 def test_gauges_tell_what_is_held_now(service: Any) -> None:
     wait_until(
-        lambda: service.app.state.services.workers.load["idle"] == 3,
+        lambda: service.services.workers.load["idle"] == 3,
         "two workers and the reserved one are warm and free",
     )
     with (
-        service.app.state.services.gate.hold("192.0.2.1", streams=1),
-        service.app.state.services.gate.computing("192.0.2.1", 0.5),
+        service.services.gate.hold("192.0.2.1", streams=1),
+        service.services.gate.computing("192.0.2.1", 0.5),
     ):
-        held = samples(service.client)
+        held = samples(service)
     assert held["ridelab_open_streams", ()] == 1
     assert held["ridelab_open_requests", ()] == 1
     assert held["ridelab_admitted_cost_seconds", ()] == 0.5
     assert held["ridelab_workers", (("state", "busy"),)] == 0
     assert held["ridelab_workers", (("state", "idle"),)] == 3
     assert held["ridelab_worker_queue", ()] == 0
-    openmetrics = service.client.get("/metrics", headers={"Accept": "application/openmetrics-text;version=1.0.0"})
+    openmetrics = service.get("/metrics", headers={"Accept": "application/openmetrics-text;version=1.0.0"})
     assert openmetrics.headers["content-type"].startswith("application/openmetrics-text"), "as Prometheus asks for it"
     build = [dict(labels) for name, labels in held if name == "ridelab_build_info"]
     assert [labels["version"] for labels in build] == [__version__]
@@ -115,13 +115,13 @@ def test_gauges_tell_what_is_held_now(service: Any) -> None:
 
 
 def test_metrics_hold_nothing_of_anybodys_scenario(service: Any, run: dict[str, Any]) -> None:
-    service.client.get(f"/api/v1/runs/{run['id']}?{MARK}={MARK}", headers={"X-Request-ID": MARK})
-    service.client.post(f"/api/v1/runs?{MARK}", json={"scenario": {MARK: MARK}, "strategies": [MARK]})
-    text = service.client.get("/metrics").text
+    service.get(f"/api/v1/runs/{run['id']}?{MARK}={MARK}", headers={"X-Request-ID": MARK})
+    service.post(f"/api/v1/runs?{MARK}", json={"scenario": {MARK: MARK}, "strategies": [MARK]})
+    text = service.get("/metrics").text
     assert MARK not in text
     assert run["id"] not in text
-    assert str(service.app.state.services.settings.data_dir) not in text
-    labels = {key for _, labels_of_sample in samples(service.client) for key, _ in labels_of_sample}
+    assert str(service.services.settings.data_dir) not in text
+    labels = {key for _, labels_of_sample in samples(service) for key, _ in labels_of_sample}
     assert labels <= {
         "kind",
         "status",
@@ -206,11 +206,9 @@ def test_what_goes_wrong_is_logged_under_its_requests_name(
     async def fail(*_: Any, **__: Any) -> None:
         raise RuntimeError("for the log alone")
 
-    monkeypatch.setattr(service.app.state.services.runs, "create", fail)
+    monkeypatch.setattr(service.services.runs, "create", fail)
     text = logged("json")
-    response = service.client.post(
-        "/api/v1/runs", json={"strategies": ["passive"]}, headers={"X-Request-ID": "trace-9"}
-    )
+    response = service.post("/api/v1/runs", json={"strategies": ["passive"]}, headers={"X-Request-ID": "trace-9"})
     assert response.status_code == 500
     error = next(line for line in lines(text) if line["level"] == "error")
     assert error["request_id"] == "trace-9"

@@ -25,7 +25,7 @@ SWEEP: dict[str, Any] = {"strategies": ["passive"], "sweep": {"list": [{"road.se
 def client(with_tokens: Service) -> Iterator[httpx.Client]:
     """Of the token with the longest name, at a service on PostgreSQL."""
     headers = {"Authorization": f"Bearer {TOKENS[OWNER]}"}
-    with httpx.Client(base_url=with_tokens.client.base_url, headers=headers, timeout=HANG_TIMEOUT) as client:
+    with httpx.Client(base_url=with_tokens.base_url, headers=headers, timeout=HANG_TIMEOUT) as client:
         yield client
 
 

@@ -231,10 +231,9 @@ SUBMITTED = {
 @pytest.fixture(scope="module")
 def guarded(with_tokens: Service) -> Iterator[tuple[httpx.Client, httpx.Client]]:
     """The clients of both tokens."""
-    check(with_tokens.client.get("/api/v1/batches"), 401, "token-required")
+    check(with_tokens.get("/api/v1/batches"), 401, "token-required")
     ann, ben = (
-        httpx.Client(base_url=with_tokens.client.base_url, headers=bearer(token), timeout=HANG_TIMEOUT)
-        for token in (ANN, BEN)
+        httpx.Client(base_url=with_tokens.base_url, headers=bearer(token), timeout=HANG_TIMEOUT) for token in (ANN, BEN)
     )
     with ann, ben:
         yield ann, ben
@@ -266,7 +265,7 @@ def test_what_came_without_a_token_is_everybodys(
     """The service got its file of tokens later."""
     ann, ben = guarded
     job = ann.post("/api/v1/batches", json=SUBMITTED["batches"]).json()["id"]
-    with with_tokens.app.state.services.store.writing() as connection:
+    with with_tokens.services.store.writing() as connection:
         connection.execute(update(jobs).where(jobs.c.id == job).values(owner=None, checksum=UNCHECKED))
     assert ben.patch(f"/api/v1/batches/{job}", json={"label": "ours"}).json()["label"] == "ours"
 

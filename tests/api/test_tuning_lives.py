@@ -59,18 +59,18 @@ def test_cancel_takes_effect_at_once_and_resume_loses_nothing(client: httpx.Clie
     assert (resumed["knee"], len(resumed["front"]), len(resumed["best"])) == (None, 1, 1)
 
 
-def test_of_two_that_resume_it_with_other_trials_one_is_refused(client: httpx.Client, service: Service) -> None:
-    job_id = wait_for(client, begin(client, trials=8)["id"])["id"]
+def test_of_two_that_resume_it_with_other_trials_one_is_refused(service: Service) -> None:
+    job_id = wait_for(service, begin(service, trials=8)["id"])["id"]
 
     async def together() -> Any:
-        both = (service.app.state.services.tunings.resume(job_id, trials, None) for trials in (500, 600))
+        both = (service.services.tunings.resume(job_id, trials, None) for trials in (500, 600))
         return await asyncio.gather(*both, return_exceptions=True)
 
     refused, accepted = sorted(service.inside(together()), key=lambda each: isinstance(each, StoredJob))
     assert isinstance(refused, ConflictError)
     assert isinstance(accepted, StoredJob)
-    assert get(client, job_id)["trials"]["total"] == accepted.total
-    client.post(f"/api/v1/tunings/{job_id}/cancel").raise_for_status()
+    assert get(service, job_id)["trials"]["total"] == accepted.total
+    service.post(f"/api/v1/tunings/{job_id}/cancel").raise_for_status()
 
 
 @pytest.mark.thorough
@@ -124,15 +124,13 @@ def test_where_nothing_can_run_the_tuning_fails_with_the_reason(
     assert (tuning["state"], tuning["reason"], tuning["generation"]) == ("failed", reason, 0)
 
 
-def test_what_passes_is_waited_for_and_a_bug_is_a_reason(
-    service: Any, client: httpx.Client, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_passes_is_waited_for_and_a_bug_is_a_reason(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     errors: list[Exception] = [
         BusyError("The service is full."),
         OperationalError("INSERT", {}, Exception("disk full")),
         WorkersBusyError(),
     ]
-    create = service.app.state.services.batches.create
+    create = service.services.batches.create
 
     async def unreliable(*args: Any, **names: Any) -> Any:
         if errors:
@@ -140,16 +138,16 @@ def test_what_passes_is_waited_for_and_a_bug_is_a_reason(
         return await create(*args, **names)
 
     monkeypatch.setattr(job_drivers, "PAUSE_AFTER_FAILURE", 0.01)
-    monkeypatch.setattr(service.app.state.services.batches, "create", unreliable)
-    assert wait_for(client, begin(client, trials=8)["id"])["state"] == "done"
+    monkeypatch.setattr(service.services.batches, "create", unreliable)
+    assert wait_for(service, begin(service, trials=8)["id"])["state"] == "done"
     errors.append(ValueError("a bug"))
-    failed = wait_for(client, begin(client, trials=8)["id"])
+    failed = wait_for(service, begin(service, trials=8)["id"])
     assert (failed["state"], failed["reason"]) == ("failed", job_drivers.UNFORESEEN)
     errors.append(CostLimitError("It is too big now."))
-    client.post(f"/api/v1/tunings/{failed['id']}/resume").raise_for_status()
-    assert wait_for(client, failed["id"])["reason"] == "It is too big now."
-    client.post(f"/api/v1/tunings/{failed['id']}/resume").raise_for_status()
-    assert wait_for(client, failed["id"])["state"] == "done"
+    service.post(f"/api/v1/tunings/{failed['id']}/resume").raise_for_status()
+    assert wait_for(service, failed["id"])["reason"] == "It is too big now."
+    service.post(f"/api/v1/tunings/{failed['id']}/resume").raise_for_status()
+    assert wait_for(service, failed["id"])["state"] == "done"
 
 
 def test_a_dry_run_says_what_it_would_be_and_stores_nothing(client: httpx.Client) -> None:

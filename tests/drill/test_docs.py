@@ -19,8 +19,8 @@ from tests.servers.reproduction import store_in
 @pytest.fixture
 def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
     for service in serve(Settings(data_dir=tmp_path_factory.mktemp("data"), workers=2)):
-        store_in(service.app.state.services.store)
-        yield service.client
+        store_in(service.services.store)
+        yield service
 
 
 @pytest.mark.parametrize(

@@ -119,8 +119,7 @@ def _good(response: httpx.Response) -> Any:
 def client(tmp_path: Path) -> Iterator[httpx.Client]:
     """The shipped limits except for the cost, so that much is computed and nothing takes minutes."""
     settings = Settings(data_dir=tmp_path, workers=2, max_request_cost=3, max_batch_runs=200, max_batch_cost=20)
-    for service in serve(settings):
-        yield service.client
+    yield from serve(settings)
 
 
 @pytest.mark.timeout(1800 + 60 * EXAMPLES)

@@ -54,7 +54,7 @@ def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
 @pytest.fixture
 def description(service: Service, tmp_path: Path) -> Path:
     path = tmp_path / "openapi.json"
-    path.write_bytes(service.client.get("/openapi.json").content)
+    path.write_bytes(service.get("/openapi.json").content)
     return path
 
 
@@ -87,7 +87,7 @@ def test_a_client_by_openapi_python_client(service: Service, description: Path, 
     options = ("--path", description, "--output-path", target, "--meta", "none", "--config", tmp_path / "config.json")
     assert "Warning" not in run(GENERATOR, "generate", *options, "--fail-on-warning")
     run(GENERATOR.with_name("python"), "-m", "compileall", "-q", target)
-    printed = run(GENERATOR.with_name("python"), "-c", PYTHON_CALLS, str(service.client.base_url))
+    printed = run(GENERATOR.with_name("python"), "-c", PYTHON_CALLS, str(service.base_url))
     assert json.loads(printed) == CALLED
 
 
@@ -102,4 +102,4 @@ def test_a_client_by_openapi_typescript(service: Service, description: Path, run
     )
     (tmp_path / "package.json").write_text('{"type": "module"}')
     run("node", modules / "typescript/bin/tsc", *strictly.split(), "generated_client.ts")
-    assert json.loads(run("node", "generated_client.ts", str(service.client.base_url).rstrip("/"))) == CALLED
+    assert json.loads(run("node", "generated_client.ts", str(service.base_url).rstrip("/"))) == CALLED

@@ -61,17 +61,17 @@ def test_who_asks_meanwhile_gets_503_and_afterwards_an_answer(
     path = f"/api/v1/runs/{stored['id']}"
     with forwarder.blocked(direction), ThreadPoolExecutor(ASKING + 2) as clients:
         new = clients.submit(service.run, ["passive"], {"road": {"length": 122.3}})
-        unready = clients.submit(service.client.get, "/readyz")
-        answers = [*clients.map(lambda _: service.client.get(path), range(ASKING)), new.result()]
+        unready = clients.submit(service.get, "/readyz")
+        answers = [*clients.map(lambda _: service.get(path), range(ASKING)), new.result()]
         assert {answer.status_code for answer in answers} == {503}
         assert all(int(answer.headers["retry-after"]) > 0 for answer in answers)
         assert unready.result().json()["store"] is False
-        assert service.client.get("/healthz").status_code == 200
-    wait_until(lambda: service.client.get("/readyz").status_code == 200, "the service is ready again")
-    assert service.client.get(path).json()["id"] == stored["id"]
+        assert service.get("/healthz").status_code == 200
+    wait_until(lambda: service.get("/readyz").status_code == 200, "the service is ready again")
+    assert service.get(path).json()["id"] == stored["id"]
     sweep = {"grid": {"road.seed": [1, 2]}}
-    batch = service.client.post("/api/v1/batches", json={"scenario": SHORT, "strategies": ["passive"], "sweep": sweep})
-    assert wait_for(service.client, batch.json()["id"])["done"] == 2, "somebody drives the jobs again"
+    batch = service.post("/api/v1/batches", json={"scenario": SHORT, "strategies": ["passive"], "sweep": sweep})
+    assert wait_for(service, batch.json()["id"])["done"] == 2, "somebody drives the jobs again"
 
 
 def test_a_server_that_waits_gives_up_before_its_client(url: str) -> None:
