@@ -91,7 +91,12 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
     drawn = {name: framed(figures.filled(name, facts.outcomes, facts.axis)) for name in figures.PANELS}
     with_data = {name: figure for name, figure in drawn.items() if figure["data"]}
     roads = answer.get("roads", 1)
-    numbers = Numbers(ran=ran, changes=answer.get("changes", {}), bases=_bases(ran, facts))
+    numbers = Numbers(
+        ran=ran,
+        changes=answer.get("changes", {}),
+        bases=_bases(ran, facts),
+        smooth=all(_is_smooth(each["scenario"]["road"]) for each in (answer, facts.against) if each),
+    )
     values = {
         "run_id": answer["id"],
         "core_version": answer["core_version"],
@@ -161,9 +166,13 @@ def drive(scenario: JsonObject) -> list[str]:
     rough = f"roughness {with_unit(exact(road['roughness']), 'm^3')}, seed {road['seed']}"
     return [
         obstacle,
-        f"measured road {road['profile']}" if road["profile"] else rough if road["roughness"] else "smooth road",
+        f"measured road {road['profile']}" if road["profile"] else "smooth road" if _is_smooth(road) else rough,
         f"{exact(speed['initial_speed_kmh'])} → {with_unit(exact(speed['target_speed_kmh']), 'km/h')}",
     ]
+
+
+def _is_smooth(road: JsonObject) -> bool:
+    return not (road["profile"] or road["roughness"])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -182,11 +191,13 @@ class Numbers:
         ran: By strategy its entry.
         changes: By strategy its paired changes over several roads [%]; empty for a run of one.
         bases: By strategy that is compared what its changes refer to.
+        smooth: The roads are nothing but their bumps: no change is luck.
     """
 
     ran: JsonObject
     changes: JsonObject
     bases: Mapping[str, Base]
+    smooth: bool
 
     def cell(self, key: str, strategy: str, scale: float | None = None) -> JsonObject:
         """One value, and its change where it is compared.
@@ -204,9 +215,8 @@ class Numbers:
         if key not in NOT_COMPARED and (base := self.bases.get(strategy)):
             paired = self.changes.get(strategy, {})
             change = _change(value, metric.of(base.entry), metric.of({"metrics": paired, **paired}))
-            luck = (
-                0.0 if paired or key == "travel_time" else max(_resolution(name, key) for name in (strategy, base.of))
-            )
+            lucky = not (paired or self.smooth or key == "travel_time")
+            luck = max(_resolution(name, key) for name in (strategy, base.of)) if lucky else 0.0
         percentage, uncertainty = change or (0.0, 0.0)
         same = abs(percentage) < max(SAME, uncertainty, luck)
         return {

@@ -1,10 +1,11 @@
 /** The table's entries: each strategy that is on in the shown result, then in each pinned variant. */
 
-import type { Catalogue, Strategy, Summary, Interval, OverRoads, StrategyId } from "../../api/types";
+import type { Catalogue, Scenario, Strategy, Summary, Interval, OverRoads, StrategyId } from "../../api/types";
 import { whyNotCompared } from "../../lab/compare";
 import type { ResultView } from "../../lab/resultView";
 import type { Result } from "../../lab/result";
 import { valueAt, type MetricPath, type WindowMetric } from "../../lab/metricPath";
+import { getAt } from "../../scenario/path";
 import { changeAgainst, pairedChange, type Change } from "./change";
 
 export interface Entry {
@@ -106,13 +107,14 @@ export function changeBetween(
   }
   return changeAgainst(valueAt(summary, metric), valueAt(base.summary, metric), {
     scale,
-    oneRoadNoise: oneRoadNoiseOf(base.pair, metric),
+    oneRoadNoise: oneRoadNoiseOf(base.pair, metric, [shown.scenario, base.scenario]),
   });
 }
 
 /** What a number is compared with. */
 export interface Base {
   readonly summary: Summary | undefined;
+  readonly scenario: Scenario;
   /** The strategies that are compared. */
   readonly pair: readonly Strategy[];
 }
@@ -122,7 +124,11 @@ function baseOf({ reference, baseline, catalogue }: ResultView, { strategy, show
   const [result, id] = reference ? [reference.shown, strategy.id] : [shown, baseline ?? ""];
   const summary = result.summaries[id];
   if (summary === undefined || whyNotCompared(shown, result) !== null) return null;
-  return { summary, pair: catalogue.filter((each) => each.id === strategy.id || each.id === id) };
+  return {
+    summary,
+    scenario: result.scenario,
+    pair: catalogue.filter((each) => each.id === strategy.id || each.id === id),
+  };
 }
 
 /** The mean's interval over several roads. */
@@ -145,15 +151,20 @@ function pairedAt(
   return own?.[metric.window][metric.signal]?.[metric.statistic];
 }
 
-/** Smaller changes [%] between these strategies may be one road's luck; times and speeds are the same on every road. */
+/** Smaller changes [%] between these strategies may be one road's luck; times, speeds and smooth roads have none. */
 export function oneRoadNoiseOf(
   strategies: readonly Pick<Strategy, "one_road_resolution">[],
   metric: MetricPath,
+  scenarios: readonly Scenario[],
 ): number {
-  if ("run" in metric) return 0;
+  if ("run" in metric || scenarios.every(isSmooth)) return 0;
   const statistic = "comfort" in metric ? "rms" : metric.statistic;
   return Math.max(...strategies.map((strategy) => strategy.one_road_resolution[statistic] ?? 0));
 }
+
+/** Its road is nothing but the bumps. */
+const isSmooth = (scenario: Scenario): boolean =>
+  getAt(scenario, "/road/roughness") === 0 && getAt(scenario, "/road/profile") === null;
 
 export interface WindowView {
   readonly window: "rough_road" | "bump";

@@ -127,7 +127,7 @@ export function editChanges(
       metric,
       change: changeBetween(
         { strategy, shown, summary: summaries[strategy.id] },
-        { summary: before.shown.summaries[strategy.id], pair: [strategy] },
+        { summary: before.shown.summaries[strategy.id], scenario: before.shown.scenario, pair: [strategy] },
         { metric, paired },
       ),
     })),

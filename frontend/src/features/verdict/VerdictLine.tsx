@@ -133,7 +133,7 @@ function between(
 ): Change | null {
   return changeBetween(
     { strategy: one, shown, summary: summaries[one.id] },
-    { summary: summaries[other.id], pair: [one, other] },
+    { summary: summaries[other.id], scenario: shown.scenario, pair: [one, other] },
     { metric, paired: paired[other.id] },
   );
 }
@@ -185,8 +185,10 @@ function speedText(compared: Compared, leader: Strategy, rival: Strategy): strin
 
 /** The change, and how sure it is; one that may be luck is none. */
 function changeText({ percent, half, verdict }: Change, { shown: { over } }: Compared, oneRoadNoise: number): string {
-  if (percent === null || verdict === "luck" || verdict === "same") return "no different beyond luck";
-  return `${formatPercent(percent, half)}${over ? "" : ` (luck ±\u2009${oneRoadNoise.toFixed(0)}\u2009%)`}`;
+  const hasLuck = over !== null || oneRoadNoise > 0;
+  if (percent === null || verdict === "luck" || verdict === "same")
+    return `no different${hasLuck ? " beyond luck" : ""}`;
+  return `${formatPercent(percent, half)}${over || !hasLuck ? "" : ` (luck ±\u2009${oneRoadNoise.toFixed(0)}\u2009%)`}`;
 }
 
 interface Sentence {
@@ -213,7 +215,7 @@ export function sentenceOf(
   const remainder = [behind > 0 && `behind in ${behind}`, luck > 0 && `within luck in ${luck}`].filter(Boolean);
   const name = catalogue.signals.find(({ key }) => key === metric.signal)?.label.toLowerCase() ?? metric.signal;
   const figure = metric.window === "bump" ? `Peak ${name} on the bump` : `RMS ${name} on the rough road`;
-  const size = changeText(change, compared, oneRoadNoiseOf([leader, rival], metric));
+  const size = changeText(change, compared, oneRoadNoiseOf([leader, rival], metric, [compared.shown.scenario]));
   const listed = remainder.map((part) => `, ${part}`).join("");
   const who = best > 0 ? "" : `${leader.label} `;
   return {

@@ -64,6 +64,15 @@ describe("the verdict on one road", () => {
     );
   });
 
+  it("knows no luck on a smooth road", () => {
+    const { shown, ...rest } = ONE_ROAD;
+    const smooth = { ...rest, shown: { ...shown, scenario: { road: { roughness: 0, profile: null } } } };
+    expect(sentence(smooth)).toBe(
+      "LV is best in 3 of 4 metrics, behind in 1. Peak body acceleration on the bump −83.3\u2009% against Passive, " +
+        "at 22.5 instead of 50.0 km/h.",
+    );
+  });
+
   it("is of what this road has, and says nothing of a single strategy", () => {
     const flat = compared({ lv: summary([1, 1], 20), passive: summary([2, 2], 20) });
     expect(sentence(flat)).toContain("best in 2 of 2 metrics. RMS body acceleration on the rough road −50.0\u2009%");

@@ -26,7 +26,9 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
   const labelOf = (id: string | null) => strategies.find((each) => each.id === id)?.label ?? "";
   const otherLabel = labelOf(against);
   const pair = strategies.filter(({ id }) => id === strategy || id === against);
-  const noise = against === null ? 0 : oneRoadNoiseOf(pair, metricPath(y.key));
+  const isRoughnessSwept = batch.fields.some(({ name }) => ["road.roughness", "road.profile"].includes(name));
+  const noise =
+    against === null ? 0 : oneRoadNoiseOf(pair, metricPath(y.key), isRoughnessSwept ? [{}] : [batch.scenario]);
   const grid = useMemo(
     () => other && mapGrid(columns, { x: x.name, y: other.name, metric: y.key, scale: y.scale, strategy, against }),
     [columns, x, other, y, strategy, against],
