@@ -113,15 +113,16 @@ def _row(row: Row[Any], cancelled_for: str | None, *, lost: bool) -> JobRow:
         raise DamagedError("batch")  # its key is of no result
     # A run that ended after its job was resumed can have the reason of before, stored by an older version.
     of_run = row.reason if row.status == "failed" and row.result_status != "failed" else None
+    without_result = lost or (row.status == "failed" and row.result_status == "ok")  # another job's, which did not fail
     return JobRow(
         position=row.position,
         changes=row.changes,
         strategy=row.strategy,
         status="waiting" if lost else row.status,
         reason=cancelled_for if row.status == "cancelled" else of_run,
-        core_version=None if lost else row.result_core_version,
-        summary=None if lost else row.result_summary,
-        compute_ms=None if lost else row.result_compute_ms,
+        core_version=None if without_result else row.result_core_version,
+        summary=None if without_result else row.result_summary,
+        compute_ms=None if without_result else row.result_compute_ms,
     )
 
 
