@@ -32,13 +32,6 @@ def test_what_is_not_linear_is_null_and_says_why(client: httpx.Client) -> None:
     assert "semi-active" in skyhook["reason"]
 
 
-@pytest.mark.parametrize("wrong", [{"frequencies": [0]}, {"outputs": ["speed"]}, {"stage": "jump"}, {"strategies": []}])
-def test_what_cannot_be_asked_is_refused_at_its_field(client: httpx.Client, wrong: dict[str, object]) -> None:
-    answer = client.post("/api/v1/frequency", json={"strategies": ["lqr"], **wrong})
-    assert answer.status_code == 422
-    assert next(iter(wrong)) in answer.json()["errors"][0]["pointer"]
-
-
 def test_a_measured_road_has_responses_and_no_spectrum(client: httpx.Client) -> None:
     heights = "distance [m],height [mm]\n" + "".join(f"{x},{x % 3}\n" for x in range(0, 200))
     headers = {"Content-Type": "text/csv"}

@@ -43,23 +43,3 @@ def test_what_a_law_has_not_is_null(client: httpx.Client, run: dict[str, Any]) -
     assert [limit["multiplier"] for limit in lqr["limits"]] == [None, None]
     assert passive["limits"] == []
     assert passive["why"] == "There are no actuators, so there is no force."
-
-
-@pytest.mark.parametrize(
-    ("query", "parameter"),
-    [
-        ({"strategy": "skyhook", "position": "50"}, "strategy"),
-        ({"strategy": "nobody", "position": "50"}, "strategy"),
-        ({"strategy": "lv"}, "position"),
-        ({"strategy": "lv", "position": "50", "time": "3"}, "time"),
-        ({"strategy": "lv", "position": "131"}, "position"),
-        ({"strategy": "lv", "time": "-1"}, "time"),
-        ({"strategy": "lv", "position": "nan"}, "position"),
-    ],
-)
-def test_what_cannot_be_looked_at_is_refused_at_its_parameter(
-    client: httpx.Client, run: dict[str, Any], query: dict[str, str], parameter: str
-) -> None:
-    answer = client.get(f"/api/v1/runs/{run['id']}/instant", params=query)
-    assert answer.status_code == 422
-    assert answer.json()["errors"][0]["parameter"] == parameter

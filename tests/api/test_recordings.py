@@ -103,44 +103,6 @@ def test_a_link_pins_it(service: Service, shown: dict[str, Any], sent: dict[str,
     assert send(service, recorded(*SENT)).json()["id"] == sent["id"]
 
 
-@pytest.mark.parametrize(
-    ("body", "status", "pointer"),
-    [
-        ({"strategies": ["passive", MISSING]}, 422, "/strategies"),
-        ({"strategies": ["recording:../x"]}, 422, "/strategies/0"),
-        ({"strategies": [MISSING], "roads": 2}, 422, "/roads"),
-    ],
-)
-def test_what_is_not_recorded_is_not_shown(
-    client: httpx.Client, body: dict[str, Any], status: int, pointer: str
-) -> None:
-    answer = client.post("/api/v1/runs", json={"scenario": {}, **body})
-    assert answer.status_code == status
-    assert [error["pointer"] for error in answer.json()["errors"]] == [pointer]
-
-
-@pytest.mark.parametrize(
-    ("address", "body", "pointer"),
-    [
-        ("batches", {"strategies": ["lv", MISSING], "sweep": {"grid": {"road.seed": [1, 2]}}}, "/strategies/1"),
-        ("solve", {"strategy": MISSING, "field": "road.bump.height", "range": [0, 0.1]}, "/strategy"),
-        ("tunings", {"strategy": MISSING}, "/strategy"),
-        ("frequency", {"strategies": [MISSING]}, "/strategies/0"),
-        ("live", {"strategies": [MISSING]}, "/strategies/0"),
-    ],
-)
-def test_what_nothing_drives_is_refused_at_its_field(
-    client: httpx.Client, address: str, body: dict[str, Any], pointer: str
-) -> None:
-    answer = client.post(f"/api/v1/{address}", json=body)
-    assert answer.status_code == 422
-    messages = {error["pointer"]: error["message"] for error in answer.json()["errors"]}
-    tuned = "Unknown strategy that can be tuned; there are lv"
-    assert (tuned if address == "tunings" else "A recording is taken by runs alone: nothing drives it") in messages[
-        pointer
-    ]
-
-
 def test_a_recording_is_held_to_requirements(service: Service, shown: dict[str, Any], sent: dict[str, Any]) -> None:
     """By name too; its change is against the strategy that drove it."""
     metric, name = "bump.body_acceleration.peak", sent["strategy"]

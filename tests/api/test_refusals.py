@@ -16,6 +16,7 @@ SHEET = EXAMPLES["DataSheet"]
 BODIES: dict[str, dict[str, Any]] = {
     "runs": {"strategies": ["lqr", "passive"]},
     "live": {"strategies": ["lv"]},
+    "frequency": {"strategies": ["lqr"]},
     "batches": {"strategies": ["lv"]},
     "tunings": tuning.REQUEST,
     "solve": SOLVE,
@@ -23,11 +24,19 @@ BODIES: dict[str, dict[str, Any]] = {
     "vehicles/from-data-sheet": SHEET,
     "links": {"run_id": "RUN"},
 }
+HELD = {**SOLVE, "metric": None, "limit": None}  # a question about requirements
+PEAK = {"metric": "bump.body_acceleration.peak"}
+MISSING = "recording:" + NOBODY
+UNDRIVEN = "A recording is taken by runs alone: nothing drives it"
 RULES = [{"if": {"distance": "O"}, "then": "V"}, {"if": {"speed": "O"}, "then": "V"}]
 
 
 def fuzzy(**parts: Any) -> dict[str, Any]:
     return {"scenario": {"fuzzy": parts}}
+
+
+def second(**requirement: Any) -> dict[str, Any]:
+    return {"requirements": [{**PEAK, "max": 1}, {**PEAK, **requirement}]}
 
 
 @pytest.mark.parametrize(
@@ -65,6 +74,15 @@ def fuzzy(**parts: Any) -> dict[str, Any]:
         ("batches", {"strategies": 1}, "/strategies", "a list"),
         ("runs", {"scenario": {"lqr": {"weights": "1"}}}, "/scenario/lqr/weights", "list"),
         ("runs", {"strategies": ["teleport"]}, "/strategies/0", ""),
+        ("runs", {"strategies": ["passive", MISSING]}, "/strategies", ""),
+        ("runs", {"strategies": ["recording:../x"]}, "/strategies/0", ""),
+        ("runs", {"strategies": [MISSING], "roads": 2}, "/roads", ""),
+        ("runs", second(), "/requirements/1/max", ""),
+        ("runs", second(max=1, min=0), "/requirements/1/max", ""),
+        ("runs", second(max=1, metric="bump.peak"), "/requirements/1/metric", ""),
+        ("runs", second(max=1, strategies=["lqr", "skyhook"]), "/requirements/1/strategies/1", ""),
+        ("runs", second(max_change=1, strategies=["passive"]), "/requirements/1/max_change", ""),
+        ("runs", second(max="3"), "/requirements/1/max", ""),
         ("runs", {"roads": 0}, "/roads", "greater"),
         ("runs", {"roads": 51}, "/roads", "50"),
         ("runs", {"roads": 2, "baseline": "lv"}, "/baseline", "lqr, passive"),
@@ -83,6 +101,13 @@ def fuzzy(**parts: Any) -> dict[str, Any]:
             "/scenario/fuzzy/rules/1/if/speed",
             "speed, perhaps speed_error; there are speed_error, distance",
         ),
+        ("live", {"strategies": [MISSING]}, "/strategies/0", UNDRIVEN),
+        ("frequency", {"strategies": [MISSING]}, "/strategies/0", UNDRIVEN),
+        ("frequency", {"strategies": []}, "/strategies", ""),
+        ("frequency", {"frequencies": [0]}, "/frequencies/0", ""),
+        ("frequency", {"outputs": ["speed"]}, "/outputs/0", ""),
+        ("frequency", {"stage": "jump"}, "/stage", ""),
+        ("batches", {"strategies": ["lv", MISSING], "sweep": {"list": [{}]}}, "/strategies/1", UNDRIVEN),
         (
             "batches",
             {"sweep": {"grid": {"road.bump.hight": [0.1, 0.2]}}},
@@ -95,6 +120,7 @@ def fuzzy(**parts: Any) -> dict[str, Any]:
             "/sweep/list/1/rode.seed",
             "rode.seed, perhaps road.seed",
         ),
+        ("tunings", {"strategy": MISSING}, "/strategy", "Unknown strategy that can be tuned; there are lv"),
         ("tunings", {"objectives": [{"kind": "figure", "figure": "no.such"}]}, "/objectives/0/figure", ""),
         (
             "tunings",
@@ -114,6 +140,11 @@ def fuzzy(**parts: Any) -> dict[str, Any]:
         ("solve", {"metric": "bump.nothing"}, "/metric", "Unknown metric"),
         ("solve", {"metric": "events.target_reached"}, "/metric", "Unknown metric"),
         ("solve", {"metric": "events.ecu_most_iterations"}, "/metric", "passive has no"),
+        ("solve", HELD, "/metric", ""),
+        ("solve", second(min=0), "/limit", ""),
+        ("solve", {**HELD, **second(max=1, strategies=["lqr"])}, "/requirements/1/strategies", ""),
+        ("solve", {**HELD, **second(max_change=1)}, "/requirements/1/max_change", ""),
+        ("solve", {"strategy": MISSING}, "/strategy", UNDRIVEN),
         ("solve", {"strategy": "fast"}, "/strategy", "Unknown strategy"),
         ("solve", {"range": [0.2, 0.1]}, "/range", "the first smaller"),
         ("solve", {"range": [0, 5e-324]}, "/range", "as wide as 1e-09 of its larger end"),
@@ -175,6 +206,13 @@ def test_a_value_is_refused_at_its_place(
         ("runs/RUN/series", {"strategy": "lv", "points": "1"}, "points"),
         ("runs/RUN/series", {"strategy": "lv", "format": "xls"}, "format"),
         ("runs/RUN/report.html", {"baseline": "speed_only"}, "baseline"),
+        ("runs/RUN/instant", {"strategy": "skyhook", "position": "50"}, "strategy"),
+        ("runs/RUN/instant", {"strategy": "nobody", "position": "50"}, "strategy"),
+        ("runs/RUN/instant", {"strategy": "lv"}, "position"),
+        ("runs/RUN/instant", {"strategy": "lv", "position": "50", "time": "3"}, "time"),
+        ("runs/RUN/instant", {"strategy": "lv", "position": "131"}, "position"),
+        ("runs/RUN/instant", {"strategy": "lv", "time": "-1"}, "time"),
+        ("runs/RUN/instant", {"strategy": "lv", "position": "nan"}, "position"),
         ("batches", {"cursor": "yesterday"}, "cursor"),
         ("paper", {"preview": "red"}, "preview"),
         ("paper", {"seeds": "3"}, "seeds"),

@@ -71,26 +71,6 @@ def test_a_strategy_that_cannot_run_fails_with_its_reason(service: Service, lqr_
     assert (result["result"], result["reason"]) == ("fail", "no controller")
 
 
-@pytest.mark.parametrize(
-    ("requirement", "pointer"),
-    [
-        ({"metric": PEAK}, "max"),
-        ({"metric": PEAK, "max": 1, "min": 0}, "max"),
-        ({"metric": "bump.peak", "max": 1}, "metric"),
-        ({"metric": PEAK, "max": 1, "strategies": ["lv", "skyhook"]}, "strategies/1"),
-        ({"metric": PEAK, "max_change": 1, "strategies": ["passive"]}, "max_change"),
-        ({"metric": PEAK, "max": "3"}, "max"),
-    ],
-)
-def test_what_is_no_requirement_is_refused_at_its_field(
-    client: httpx.Client, requirement: dict[str, Any], pointer: str
-) -> None:
-    body = {"strategies": ["lv", "passive"], "requirements": [{"metric": PEAK, "max": 1}, requirement]}
-    response = client.post("/api/v1/runs", json=body)
-    assert response.status_code == 422
-    assert [each["pointer"] for each in response.json()["errors"]] == [f"/requirements/1/{pointer}"]
-
-
 def test_a_link_keeps_its_requirements_and_says_how_they_are_kept(client: httpx.Client, run: dict[str, Any]) -> None:
     requirements = [{"metric": PEAK, "max_change": -10, "strategies": ["lqr"]}]
     body = {"run_id": run["id"], "view": {"baseline": "lv", "axis": "time"}, "requirements": requirements}
@@ -118,21 +98,6 @@ def test_the_largest_value_at_which_all_pass_is_that_of_the_strictest(client: ht
     assert [each["result"] for each in answer["requirement_results"]] == ["pass"] * 4
     none = client.post("/api/v1/solve", json={**question, "requirements": [{"metric": PEAK, "max": 1e-3}]})
     assert none.json()["detail"].endswith(f"keeps every requirement; nearest is 0.01 m: {PEAK} does not pass.")
-
-
-@pytest.mark.parametrize(
-    ("asked", "pointer"),
-    [
-        ({}, "/metric"),
-        ({"metric": PEAK, "limit": 1, "requirements": [{"metric": PEAK, "max": 1}]}, "/limit"),
-        ({"requirements": [{"metric": PEAK, "max": 1, "strategies": ["lqr"]}]}, "/requirements/0/strategies"),
-        ({"requirements": [{"metric": PEAK, "max_change": 1}]}, "/requirements/0/max_change"),
-    ],
-)
-def test_a_question_about_requirements_is_whole(client: httpx.Client, asked: dict[str, Any], pointer: str) -> None:
-    question = {"strategy": "passive", "field": "road.bump.height", "range": [0.01, 0.2]}
-    response = client.post("/api/v1/solve", json={**question, **asked})
-    assert [each["pointer"] for each in response.json()["errors"]] == [pointer]
 
 
 def test_the_runs_of_a_batch_are_held_point_by_point(client: httpx.Client, run: dict[str, Any]) -> None:
