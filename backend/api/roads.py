@@ -24,7 +24,7 @@ FAR = 100.0  # from the reference line [m]
 class RoadFileRoute(FileRoute):
     """A route whose body is a road in one of its two formats."""
 
-    TYPES: ClassVar[Mapping[str, int]] = {**FileRoute.TYPES, OPENCRG: LONGEST_GRID}
+    FILES: ClassVar[Mapping[str, int]] = {**FileRoute.FILES, OPENCRG: LONGEST_GRID}
 
 
 surveying = router("roads", 408, 413, 415, 429, 503, route_class=RoadFileRoute)

@@ -95,45 +95,60 @@ class StrictRoute(APIRoute):
 
     One that may lead to computing (`COMPUTES`) refuses a request that would wait too long before it does anything else,
     and calls off what nobody waits for any more.
+
+    Attributes:
+        FILES: The media types of a file that it takes in place of JSON, each with the longest one [bytes].
     """
 
     MAX_VALUES = strict_json.MAX_VALUES
     COMPUTES = False
+    FILES: ClassVar[Mapping[str, int]] = {}
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
         """The framework's handler, after checks that it does not make."""
         handler = super().get_route_handler()
-        takes_body = self.body_field is not None
+        takes_body = self.body_field is not None or bool(self.FILES)
         declared = [(field.alias, field.field_info) for field in get_flat_params(self.dependant)]
         # The fields of a model of parameters are plain ones; only queries are models here.
         parameters = [name for name, info in declared if isinstance(info, Query) or not isinstance(info, Param)]
 
         async def strict(request: Request) -> Response:
+            parts = parts_of(request)
             if self.COMPUTES and takes_body:
-                parts_of(request).gate.check_admission(client_of(request))
+                parts.gate.check_admission(client_of(request))
             if not all(map(is_plain, request.path_params.values())):
                 raise RequestError("not-found")  # there is nothing of such an id, and a database may fail on it
             _check_parameters(request.query_params, parameters)
-            kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
-            if takes_body and kind != "application/json":
-                raise RequestError("unsupported-media-type")
-            if takes_body:
-                _check_encoding(request)
-            await parts_of(request).own_files.current()
+            longest = self._longest(request) if takes_body else 0
+            await parts.own_files.current()
             with ExitStack() as held:
-                longest = parts_of(request).settings.max_body_bytes
                 body = await _read_body(request, held, longest) if takes_body else b""
                 if self.COMPUTES:
-                    held.enter_context(parts_of(request).gate.admitted(client_of(request)))
+                    held.enter_context(parts.gate.admitted(client_of(request)))
                 if takes_body:  # what the framework would read itself, and call any error a malformed body
                     request._body = body
-                if body:
+                if body and not self.FILES:
                     request._json = await _parse(body, self.MAX_VALUES)
                 if self.COMPUTES:
                     return await cancel_on_disconnect(request, handler(request))
                 return await handler(request)
 
         return strict
+
+    def _longest(self, request: Request) -> int:
+        """How many bytes a body may have that is announced so.
+
+        Raises:
+            RequestError: It is of another type, or compressed.
+        """
+        types = self.FILES or {"application/json": parts_of(request).settings.max_body_bytes}
+        kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
+        if kind not in types:
+            message = f"The body has to be a file, with Content-Type: {' or '.join(types)}." if self.FILES else None
+            raise RequestError("unsupported-media-type", message)
+        if request.headers.get("content-encoding", "identity").strip().lower() != "identity":
+            raise RequestError("unsupported-media-type", "The body has to come as it is, without a Content-Encoding.")
+        return types[kind]
 
 
 class ReadingRoute(StrictRoute):
@@ -166,37 +181,9 @@ class ScenarioRoute(ComputingRoute):
 
 
 class FileRoute(StrictRoute):
-    """A route whose body is a file, read whole with `request.body()`.
+    """A route whose body is a file, read whole with `request.body()`."""
 
-    Attributes:
-        TYPES: The media types it takes, each with the longest file [bytes].
-    """
-
-    TYPES: ClassVar[Mapping[str, int]] = {"text/csv": PLACE}
-
-    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """The framework's handler, after checks that it does not make."""
-        handler = APIRoute.get_route_handler(self)
-        parameters = [field.alias for field in get_flat_params(self.dependant)]
-
-        async def strict(request: Request) -> Response:
-            _check_parameters(request.query_params, parameters)
-            kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
-            if kind not in self.TYPES:
-                message = f"The body has to be a file, with Content-Type: {' or '.join(self.TYPES)}."
-                raise RequestError("unsupported-media-type", message)
-            _check_encoding(request)
-            with ExitStack() as held:
-                request._body = await _read_body(request, held, self.TYPES[kind])
-                return await handler(request)
-
-        return strict
-
-
-def _check_encoding(request: Request) -> None:
-    """Refuse a compressed body."""
-    if request.headers.get("content-encoding", "identity").strip().lower() != "identity":
-        raise RequestError("unsupported-media-type", "The body has to come as it is, without a Content-Encoding.")
+    FILES: ClassVar[Mapping[str, int]] = {"text/csv": PLACE}
 
 
 def _check_parameters(sent: QueryParams, declared: Sequence[str]) -> None:
