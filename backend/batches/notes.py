@@ -1,4 +1,4 @@
-"""What a sweep's runs do not depend on, in words: fields a strategy does not read, speeds it does not reach."""
+"""Which of a sweep's runs are alike, in words: repeated points, fields a strategy does not read, unreached speeds."""
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
@@ -26,11 +26,18 @@ def notes(
     names = list(dict.fromkeys(run.strategy for run in runs))
     swept = [name for axis, linked in axes.items() for name in (axis, *linked)]
     return [
+        *_repeated(points),
         *_unread(names, policies, axes, runs),
         *(_without_choice(base, points, swept) if STRATEGIES.keys() >= set(names) else ()),
         *_overruled(base, swept),
         *_clamped(base, points, names, policies),
     ]
+
+
+def _repeated(points: Sequence[JsonObject]) -> Iterator[str]:
+    again = len(points) - len(set(map(repr, points)))
+    if again:
+        yield f"{again} of {len(points)} points {'repeats' if again == 1 else 'repeat'} an earlier one"
 
 
 def _unread(

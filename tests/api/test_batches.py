@@ -286,6 +286,8 @@ def test_what_a_sweeps_runs_do_not_depend_on_is_said(client: httpx.Client) -> No
         "Passive does not use target speed and weights: Body acceleration: its 12 runs give 2 results",
         "At 6 of 12 points the target speed is above the initial speed, which LV control then keeps",
     ]
+    thrice = submit(client, {"grid": {"road.bump.height": [0.1, 0.1, 0.1]}}, dry_run=True).json()
+    assert thrice["notes"] == ["2 of 3 points repeat an earlier one"]
     targets = {"grid": {"speed.target_speed_kmh": [20, 40]}}
     alike: dict[str, Any] = {"scenario": {"speed": {"policy": "constant"}}}
     assert submit(client, targets, dry_run=True, **alike).json()["notes"] == [

@@ -132,7 +132,10 @@ def test_all_of_a_range_or_none_of_it(client: httpx.Client) -> None:
 
 def test_what_a_field_does_not_change_and_what_cannot_be_driven_is_said(client: httpx.Client) -> None:
     unread = solved(client, **{**HEIGHT, "field": "speed.target_speed_kmh"}, range=[10, 50], limit=20)
-    assert "passive may not depend on speed.target_speed_kmh" in unread.warnings[0]
+    same = "The metric is the same at every value tried"
+    assert unread.warnings[0] == f"{same}: Passive does not use speed.target_speed_kmh."
+    force = solved(client, **HEIGHT | {"metric": "bump.front_force.peak"}, range=[0.01, 0.1], limit=20)
+    assert force.warnings[0] == f"{same}.", "a passive car has no force at any height"
     beyond = solved(client, **{**HEIGHT, "field": "road.bump.width"}, range=[10, 26], limit=4)
     assert beyond.bracket == (18, 18.01), "the road ends at 118 m"
     assert "could not be tried" in beyond.warnings[0]

@@ -105,7 +105,16 @@ def swept(prepared: Prepared, outcomes: dict[str, Any], **more: Any) -> str:
     rows = [{"run": number, "road.seed": number, **ok} for number in range(20)]
     rows += [{"run": 20, "road.seed": 20, "strategy": "lv", "status": "failed", "reason": "too steep"}]
     field = {"name": "road.seed", "unit": "1", "linked_to": None}
-    whole = {"total": 21, "done": 20, "failed": 1, "fields": [field], "scenario": SHORT, "strategies": ["lv"], **more}
+    whole = {
+        "total": 21,
+        "done": 20,
+        "failed": 1,
+        "fields": [field],
+        "notes": ["said"],
+        "scenario": SHORT,
+        "strategies": ["lv"],
+        **more,
+    }
     identifier = prepared.job("batch", **whole)
     prepared.answers[f"GET /batches/{identifier}/results"] = {"rows": rows}
     return identifier
@@ -120,7 +129,7 @@ def test_a_sweep_shows_its_first_rows_and_failed_runs_in_the_exit_code(
     assert re.split(r" {2,}", head.strip()) == [*heads, "bump.front_tyre_load.peak [N]"]
     assert first.split()[:3] == ["0", "lv", "ok"]
     assert more == "... 1 more; --out FILE writes all with every metric"
-    assert cli.error == f"batch {batch}: done, 20 of 21 done, 1 failed\n"
+    assert cli.error == f"batch {batch}: done, 20 of 21 done, 1 failed\nsaid\n"
     whole = json.loads(cli("sweep", scenario, "--grid", "road.seed=0:20:21", "--json", code=1))
     assert (whole["total"], whole["rows"][-1]["reason"]) == (21, "too steep")
 

@@ -15,6 +15,7 @@ from backend.runs.solve.models import Solution, SolveRequest, TriedValue
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import METRICS, RMS
 from sim_core.scenario import dotted
+from sim_core.strategies import reads, strategy_named
 
 RESOLUTION = 0.005  # of a metric: peaks are exact to half a percent (docs/explanation/metrics.md)
 MAX_EXTREMA = 4  # that one sentence names
@@ -46,7 +47,9 @@ def of_metric(request: SolveRequest, run_id: str, driven: Mapping[str, Sequence[
     """What the metric of a run is held to the limit with."""
     values = [METRICS[str(request.metric)].of(summary) for summary in driven[request.strategy]]
     if None in values:
-        return Tried(run_id=run_id, reason=f"{request.strategy} has no {request.metric}", undefined=True)
+        return Tried(
+            run_id=run_id, reason=f"{strategy_named(request.strategy).label} has no {request.metric}", undefined=True
+        )
     if len(values) == 1:
         return Tried(run_id=run_id, bound=float(values[0]))
     over = mean_with_interval(values)
@@ -176,8 +179,11 @@ def _warnings(
         )
     finite = {index: bound for index, bound in bounds.items() if isfinite(bound)}
     if len(finite) > 1 and len(set(finite.values())) == 1:
-        same = f"{_subject(request)} is the same at every value tried"
-        yield f"{same}: {request.strategy} may not depend on {request.field}."
+        strategy = strategy_named(request.strategy)
+        read = reads(strategy, request.scenario.speed.policy)
+        is_read = any(f"{request.field}.".startswith(f"{each}.") for each in read)
+        cause = "" if is_read else f": {strategy.label} does not use {request.field}"
+        yield f"{_subject(request)} is the same at every value tried{cause}."
     spans = limit_search.spans_over(request.bound, finite, best)
     if spans:
         over = ", ".join(

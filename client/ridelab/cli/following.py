@@ -89,6 +89,7 @@ def say_end(job: Job) -> int:
     if job.state == "failed":
         raise UnavailableError(f"The {job.NAME} {job.id} failed: {job.reason}")
     note(f"{job.NAME} {job.id}: {job.state}, {job.done} of {job.total} done, {job.failed} failed")
+    _note_each(job.answer)
     return DIFFERENT if job.failed or job.state == "cancelled" else 0
 
 
@@ -100,7 +101,12 @@ def show_estimate(estimate: Mapping[str, Any], runs: str, units: str, *, as_json
     seconds = estimate.get("estimated_seconds")
     about = "" if seconds is None else f", about {seconds:.3g} s"
     typer.echo(f"{estimate[runs]} runs, {estimate[units]} {units}{about}")
-    for said in estimate.get("notes", ()):
+    _note_each(estimate)
+
+
+def _note_each(answer: Mapping[str, Any]) -> None:
+    """What a sweep's runs do not depend on."""
+    for said in answer.get("notes", ()):
         note(said)
 
 
