@@ -17,7 +17,7 @@ from tests.browser.dashboard import LAPTOP, thumb
 
 REPEATS = 5
 MOVES = 180  # of the pointer
-PERIOD = 1 / 60  # from one to the next [s]
+PERIOD = 1 / 60  # from one to the next at least: Playwright also waits until the page has had each [s]
 STRIDE, TURN = 2, 90  # from one to the next, further than a step of the slider [px]; moves until it goes back
 FIRST_LOAD, FIRST_PLOT = 250.0, 700.0  # goals [kB], [ms]
 REDRAW, FRAMES = 50.0, 60.0  # goals: 95th percentile [ms], frames a second
@@ -71,7 +71,7 @@ def run() -> None:
         address = str(client.base_url)
         browser = launch(playwright, compilers=True)
         first = [first_view(browser, address) for _ in range(REPEATS)]
-        redraws, rate = drag(browser, address)
+        redraws, rate, moves = drag(browser, address)
         longest = arrival(browser, client)
         browser.close()
     size, taken, whole = (median(each[index] for each in first) for index in range(3))
@@ -86,6 +86,7 @@ def run() -> None:
             ["from a move of a slider to its curves, median [ms]", median(redraws), ""],
             ["the same, 95th percentile [ms]", slowest, REDRAW],
             ["frames a second meanwhile", rate, FRAMES],
+            ["moves a second meanwhile", moves, ""],
             [f"longest task when a sweep's {ROWS} rows come [ms]", longest, LONGEST_TASK],
         ],
     )
@@ -114,8 +115,8 @@ def first_view(browser: Browser, address: str) -> tuple[float, float, float]:
         return size, taken, sum(sizes) / 1000
 
 
-def drag(browser: Browser, address: str) -> tuple[list[float], float]:
-    """Milliseconds from each move of a slider to the curves of that value or a newer one; frames a second."""
+def drag(browser: Browser, address: str) -> tuple[list[float], float, float]:
+    """Milliseconds from each move of a slider to the curves of that value or a newer one; frames and moves a second."""
     with opened(browser) as page:
         page.add_init_script(WATCH)
         page.goto(address)
@@ -132,8 +133,7 @@ def drag(browser: Browser, address: str) -> tuple[list[float], float]:
             sleep(max(0.0, due - perf_counter()))
         seen: dict[str, list[Any]] = page.evaluate("seen")
         page.mouse.up()
-    frames = seen["frames"]
-    return redraw_times(seen), 1000 * (len(frames) - 1) / (frames[-1] - frames[0])
+    return redraw_times(seen), a_second(seen["frames"]), a_second(seen["moved"])
 
 
 def arrival(browser: Browser, client: httpx.Client) -> float:
@@ -172,6 +172,11 @@ def redraw_times(seen: dict[str, list[Any]]) -> list[float]:
         if drawn is not None:
             times.append(drawn - moved)
     return times
+
+
+def a_second(moments: list[float]) -> float:
+    """How many come in a second, of moments in ms."""
+    return 1000 * (len(moments) - 1) / (moments[-1] - moments[0])
 
 
 def percentile(values: list[float], part: float) -> float:
