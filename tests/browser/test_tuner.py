@@ -128,8 +128,8 @@ def test_a_front_is_looked_at_point_by_point(dashboard: Dashboard, server: Serve
     looked = page.get_by_role("region", name="Selected point")
     point = answer["front"][0]
     looked.get_by_label("Weights of trial").select_option(str(point["number"]))
-    weights = looked.locator("td[data-weight]").evaluate_all("cells => cells.map(cell => Number(cell.dataset.value))")
-    assert weights == point["weights"]["lqr.weights"]
+    weights = looked.locator("td[data-weights='lqr.weights']").evaluate("cell => cell.firstChild.textContent")
+    assert [float(weight) for weight in weights.split(" · ")] == pytest.approx(point["weights"]["lqr.weights"])
     other = next(trial for trial in answer["front"] if trial["number"] != point["number"])
     place = sorted(answer["front"], key=lambda trial: trial["values"][0]).index(other)
     drawn = plot.locator(".scatterlayer .trace").filter(has=page.locator(".point"))

@@ -2,16 +2,17 @@
 
 import { Button, Stack } from "@mantine/core";
 import type { ReactNode } from "react";
-import type { Tuning } from "../../api/types";
+import type { Trial, Tuning, Weights } from "../../api/types";
 import { ChangeMark } from "../../features/tables/ChangeMark";
 import tables from "../../features/tables/tables.module.css";
 import { dotted } from "../../scenario/fields";
-import { formatResult, prettyUnit } from "../../units/format";
+import { formatResult } from "../../units/format";
 import type { Shown } from "./figures";
 import type { Point, TuningParts } from "./points";
 import { formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Card } from "../../ui/Card";
+import { NameWithUnit } from "../../ui/StrategyKey";
 import ui from "../../ui/ui.module.css";
 
 /** A row of the table: what it is of, and what stands under each point. */
@@ -22,35 +23,53 @@ interface Row {
   readonly attributes?: (point: Point) => ReturnType<NonNullable<Column<Row>["attributes"]>>;
 }
 
-export function PointsTable({ tuning, objectives, limits, tunable, points, load }: Omit<TuningParts, "colour">) {
-  const rows = [...objectiveRows(objectives, tuning), ...limitRows(limits, tuning), ...weightRows(tunable, points)];
+const QUANTITY: Column<Row> = {
+  key: "quantity",
+  head: "",
+  text: true,
+  cell: ({ label, unit }) => <NameWithUnit name={label} unit={unit} />,
+};
+
+const columnOf = (point: Point, head: ReactNode): Column<Row> => ({
+  key: String(point.trial.number),
+  head,
+  headAttributes: { "data-trial": point.trial.number },
+  attributes: ({ attributes }) => attributes?.(point) ?? {},
+  cell: ({ cell }) => cell(point),
+});
+
+type Parts = Pick<TuningParts, "tuning" | "objectives" | "limits" | "tunable">;
+
+const rowsOf = ({ tuning, objectives, limits, tunable }: Parts, weights: Weights, beside?: Weights) => [
+  ...objectiveRows(objectives, tuning),
+  ...limitRows(limits, tuning),
+  ...weightRows(tunable, weights, beside),
+];
+
+export function PointsTable({ points, load, ...parts }: Omit<TuningParts, "colour">) {
   return (
     <Card aria-label="Best points" title="Best points, on the training roads">
       <DataTable
         label="Best points and their weights"
-        rows={rows}
+        rows={rowsOf(parts, points[0]?.trial.weights ?? {})}
         rowKey={({ label }) => label}
-        columns={[
-          {
-            key: "quantity",
-            head: "",
-            text: true,
-            cell: ({ label, unit }) => (
-              <>
-                {label} <span className={ui.dim}>{prettyUnit(unit)}</span>
-              </>
-            ),
-          },
-          ...points.map((point): Column<Row> => ({
-            key: String(point.trial.number),
-            head: <PointHead point={point} load={load} />,
-            headAttributes: { "data-trial": point.trial.number },
-            attributes: ({ attributes }) => attributes?.(point) ?? {},
-            cell: ({ cell }) => cell(point),
-          })),
-        ]}
+        columns={[QUANTITY, ...points.map((point) => columnOf(point, <PointHead point={point} load={load} />))]}
       />
     </Card>
+  );
+}
+
+/** One of the trials; in small the paper's weights beside each that differs. */
+export function PointTable({ trial, ...parts }: Parts & { readonly trial: Trial }) {
+  const { paper } = parts.tuning;
+  return (
+    <DataTable
+      label="Weights"
+      attributes={{ "data-dense": true }}
+      rows={rowsOf(parts, trial.weights, paper?.weights)}
+      rowKey={({ label }) => label}
+      columns={[QUANTITY, columnOf({ trial, names: [], isPaper: trial.number === paper?.number }, "Value")]}
+    />
   );
 }
 
@@ -105,20 +124,31 @@ const limitRows = (limits: readonly Shown[], tuning: Tuning) =>
     },
   }));
 
-function weightRows(tunable: Tunable, points: readonly Point[]): readonly Row[] {
+function weightRows(tunable: Tunable, weights: Weights, beside?: Weights): readonly Row[] {
+  const row = (name: string, label: string, unit: string, fields: readonly Pick<Single, "name" | "field">[]): Row => {
+    const text = (of: Weights) => fields.map((each) => shownWeight(weightAt(of, each.name), each.field)).join(" · ");
+    return {
+      label,
+      unit,
+      attributes: () => ({ "data-weights": name }),
+      cell: ({ trial }) => (
+        <>
+          {text(trial.weights)}
+          {beside && text(beside) !== text(trial.weights) && <s className={ui.under}>{text(beside)}</s>}
+        </>
+      ),
+    };
+  };
   return [
-    ...tunable.triples.map(({ pointer, title, items }): Row => ({
-      label: title,
-      unit: items.map((item) => item.title.toLowerCase()).join(" · "),
-      attributes: () => ({ "data-weights": dotted(pointer) }),
-      cell: ({ trial }) =>
-        items.map((item) => shownWeight(weightAt(trial.weights, dotted(item.pointer)), item)).join(" · "),
-    })),
-    ...singlesIn(tunable, points[0]?.trial.weights ?? {}).map(({ name, title, field }): Row => ({
-      label: title,
-      unit: "1",
-      cell: ({ trial }) => shownWeight(weightAt(trial.weights, name), field),
-    })),
+    ...tunable.triples.map(({ pointer, title, items }) =>
+      row(
+        dotted(pointer),
+        title,
+        items.map((item) => item.title.toLowerCase()).join(" · "),
+        items.map((field) => ({ name: dotted(field.pointer), field })),
+      ),
+    ),
+    ...singlesIn(tunable, weights).map((single) => row(single.name, single.title, "1", [single])),
   ];
 }
 

@@ -10,7 +10,7 @@ import { FileMenu } from "../../features/export/FileMenu";
 import { ShareAddress } from "../../features/share/ShareAddress";
 import { compact } from "../../ui/compact";
 import { Icon } from "../../ui/icons";
-import type { Trial, Tuning, Weights } from "../../api/types";
+import type { Trial, Tuning } from "../../api/types";
 import { TUNING, useJob } from "../../jobs/useJob";
 import { Page } from "../../ui/Page";
 import { useRunInLab } from "../../ui/useOpenInLab";
@@ -18,21 +18,17 @@ import type { Catalogues } from "../../server/useCatalogues";
 import { ofLimit, ofObjective, useNumericCatalogues } from "./figures";
 import { ValidationTable } from "./ValidationTable";
 import { pointsOf, type Point, type TuningParts } from "./points";
-import { PointsTable } from "./PointsTable";
-import { firstTrial, tunableOf, formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
+import { PointsTable, PointTable } from "./PointsTable";
+import { firstTrial, tunableOf } from "./space";
 import { TuningState } from "./TuningState";
 import { humanise } from "../../scenario/schema";
-import { withFields, dotted } from "../../scenario/fields";
+import { withFields } from "../../scenario/fields";
 import { Fault, Note } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
 import { useQuery, keepPreviousData, queryOptions } from "@tanstack/react-query";
-import { ChangeMark } from "../../features/tables/ChangeMark";
-import { formatInput, formatResult, prettyUnit } from "../../units/format";
 import { SearchCard } from "./SearchCard";
-import results from "./results.module.css";
 import { Choice } from "../../ui/Entry";
 import { Card } from "../../ui/Card";
-import { DataTable, type Column } from "../../ui/DataTable";
 
 /** What weights are looked at beside. */
 const BESIDE = ["lqr", "passive"];
@@ -150,8 +146,8 @@ function TuningPlot({ tuning, objectives, limits, tunable, points, colour, load 
               data={options(points, tuning.front, picked)}
               onPick={(value) => setSelectedNumber(Number(value))}
             />
-            <Values {...{ tuning, objectives, limits }} trial={picked} />
-            <WeightsOf weights={picked.weights} beside={tuning.paper?.weights} tunable={tunable} />
+            <PointTable {...{ tuning, objectives, limits, tunable }} trial={picked} />
+            {picked.status === "failed" && <Fault>Failed: {picked.reason}</Fault>}
             {picked.number !== tuning.paper?.number && <Note>Struck through: {firstTrial(tuning)}.</Note>}
             <Button variant="filled" loading={load.opening?.number === picked.number} onClick={() => load.open(picked)}>
               Load in lab
@@ -173,101 +169,6 @@ function options(points: readonly Point[], front: readonly Trial[], picked: Tria
       !points.some(({ trial }) => trial.number === number) && all.findIndex((each) => each.number === number) === index,
   );
   return [...named, ...others.map(({ number }) => ({ value: String(number), label: `${number}` }))];
-}
-
-function Values({
-  tuning,
-  objectives,
-  limits,
-  trial,
-}: Pick<TuningParts, "tuning" | "objectives" | "limits"> & { readonly trial: Trial }) {
-  return (
-    <dl className={results.values}>
-      {objectives.map(({ label, unit, scale }, index) => (
-        <div key={label}>
-          <dt>{label}</dt>
-          <dd>
-            {trial.values ? `${formatResult((trial.values[index] ?? NaN) * scale, 4)} ${prettyUnit(unit)}` : "–"}{" "}
-            {trial.number !== tuning.paper?.number && (
-              <ChangeMark value={trial.values?.[index]} baseline={tuning.paper?.values?.[index]} />
-            )}
-          </dd>
-        </div>
-      ))}
-      {limits.map(({ label, unit, scale }, index) => {
-        const [value, most] = [trial.limits?.[index], tuning.limits[index]?.at_most ?? Infinity];
-        return (
-          <div key={label}>
-            <dt>{label}, largest</dt>
-            <dd className={value !== undefined && value > most ? ui.error : undefined}>
-              {value === undefined ? "–" : `${formatResult(value * scale)} ${prettyUnit(unit)}`}
-              {value !== undefined && value > most && ` (limit ${formatInput(Number((most * scale).toPrecision(6)))})`}
-            </dd>
-          </div>
-        );
-      })}
-      {trial.status === "failed" && (
-        <div>
-          <dt className={ui.error}>Failed</dt>
-          <dd>{trial.reason}</dd>
-        </div>
-      )}
-    </dl>
-  );
-}
-
-interface Props {
-  readonly weights: Weights;
-  /** The paper's. */
-  readonly beside: Weights | undefined;
-  readonly tunable: Tunable;
-}
-
-interface Row {
-  readonly title: string;
-  readonly items: readonly Pick<Single, "name" | "field">[];
-}
-
-/** A set of weights: a row a stage, the paper's in small beside each that differs. */
-function WeightsOf({ weights, beside, tunable }: Props) {
-  const { triples } = tunable;
-  const rows: readonly Row[] = [
-    ...triples.map(({ title, items }) => ({
-      title,
-      items: items.map((field) => ({ name: dotted(field.pointer), field })),
-    })),
-    ...singlesIn(tunable, weights).map(({ name, title, field }) => ({ title, items: [{ name, field }] })),
-  ];
-  return (
-    <DataTable
-      label="Weights"
-      attributes={{ "data-dense": true }}
-      rows={rows}
-      rowKey={({ title }) => title}
-      columns={[
-        { key: "stage", head: "", text: true, cell: ({ title }) => title },
-        ...(triples[0]?.items ?? [{ title: "Value" }]).map(({ title }, index): Column<Row> => ({
-          key: title,
-          head: title,
-          attributes({ items }) {
-            const item = items[index];
-            return item ? { "data-weight": item.name, "data-value": weightAt(weights, item.name) ?? "" } : {};
-          },
-          cell: ({ items }) => items[index] && <Weight {...items[index]} {...{ weights, beside }} />,
-        })),
-      ]}
-    />
-  );
-}
-
-function Weight({ name, field, weights, beside }: Row["items"][number] & Pick<Props, "weights" | "beside">) {
-  const [value, paper] = [weightAt(weights, name), beside && weightAt(beside, name)];
-  return (
-    <>
-      {value === undefined ? "–" : formatValue(value, field)}
-      {paper !== undefined && paper !== value && <s className={ui.under}>{formatValue(paper, field)}</s>}
-    </>
-  );
 }
 
 /** Every trial so far: asked for anew with every generation. */
