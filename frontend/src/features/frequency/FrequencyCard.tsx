@@ -3,9 +3,9 @@
 import { Group, Stack, Text, useComputedColorScheme } from "@mantine/core";
 import { useEffect, useMemo, useState } from "react";
 import { ask } from "../../api/http";
-import { isTransient, messageOf } from "../../api/problem";
-import type { Catalogue, FrequencyAnswer, FrequencyRequest, Scenario, StrategyId, Strategy } from "../../api/types";
-import { createLatest } from "../../lib/latest";
+import type { FrequencyAnswer, FrequencyRequest, Scenario, Strategy } from "../../api/types";
+import { useCatalogue } from "../../server/useCatalogues";
+import { useLatest } from "../../server/useLatest";
 import type { ResultView } from "../../lab/resultView";
 import { PALETTES } from "../../plots/palettes";
 import { StillSurface } from "../../plots/Surface";
@@ -31,17 +31,22 @@ const OUTPUTS: readonly Output[] = [
 ];
 const STAGES: readonly Stage[] = ["cruise", "brake", "bump"];
 
-interface Props {
-  readonly resultView: ResultView;
-  readonly catalogue: Catalogue;
-}
-
-export function FrequencyCard({ resultView, catalogue }: Props) {
+export function FrequencyCard({ resultView }: { readonly resultView: ResultView }) {
+  const catalogue = useCatalogue();
   const palette = PALETTES[useComputedColorScheme("light")];
   const [signal, setSignal] = useState<Output>("body_acceleration");
   const [stage, setStage] = useState<Stage>("bump");
   const { shown, strategies, ids } = resultView;
-  const { answer, fault } = useFrequency(shown.scenario, ids, stage);
+  const { error, request, ...newest } = useLatest((body: FrequencyRequest & { readonly scenario: Scenario }, by) =>
+    ask("post", "/frequency", { body }, by),
+  );
+  const answer = error ? null : newest.answer;
+  const { scenario } = shown;
+  const names = ids.join(",");
+  useEffect(() => {
+    const asked = [...new Set([...names.split(","), "passive"])];
+    request({ scenario, strategies: asked, stage, outputs: null, frequencies: null });
+  }, [request, scenario, names, stage]);
   const entry = (key: string) => catalogue.signals.find((each) => each.key === key);
   const unit = prettyUnit(entry(signal)?.unit ?? "1");
   const figures = useMemo(
@@ -49,7 +54,7 @@ export function FrequencyCard({ resultView, catalogue }: Props) {
     [answer, strategies, signal, palette],
   );
   return (
-    <Stack gap="0.7rem" p="0 0.9rem 0.9rem" data-testid="frequencies" aria-busy={answer === null && fault === null}>
+    <Stack gap="0.7rem" p="0 0.9rem 0.9rem" data-testid="frequencies" aria-busy={answer === null && error === null}>
       <Group gap="0.6rem">
         <Choice
           aria-label="Response from the road to"
@@ -69,7 +74,7 @@ export function FrequencyCard({ resultView, catalogue }: Props) {
         ECU delay and preview are inside. Each stage is taken by itself, as if the car stayed in it: between stages
         there is no margin.
       </Note>
-      {fault !== null && <Fault>{fault}</Fault>}
+      {error && <Fault>{error.message}</Fault>}
       <div className={classes.charts}>
         {figures.map(({ title, unit: own, figure }) => (
           <figure key={title} className={ui.figure}>
@@ -100,34 +105,6 @@ export function FrequencyCard({ resultView, catalogue }: Props) {
 }
 
 const spectral = (title: string, unit: string) => (title === "Gain" ? `(${unit})/m` : `(${unit})²/Hz`);
-
-interface Shown {
-  readonly answer: FrequencyAnswer | null;
-  readonly fault: string | null;
-}
-
-/** Of that scenario, one question at a time; what was overtaken is not shown. */
-function useFrequency(scenario: Scenario, ids: readonly StrategyId[], stage: Stage): Shown {
-  const [shown, setShown] = useState<Shown>({ answer: null, fault: null });
-  const latest = useMemo(
-    () =>
-      createLatest<FrequencyRequest & { readonly scenario: Scenario }, FrequencyAnswer>({
-        run: (body, signal) => ask("post", "/frequency", { body }, signal),
-        onAnswer: (answer) => setShown({ answer, fault: null }),
-        onError: (error) => {
-          if (!isTransient(error)) setShown({ answer: null, fault: messageOf(error) });
-        },
-      }),
-    [],
-  );
-  const names = ids.join(",");
-  useEffect(() => {
-    const strategies = [...new Set([...names.split(","), "passive"])];
-    latest.request({ scenario, strategies, stage, outputs: null, frequencies: null });
-  }, [latest, scenario, names, stage]);
-  useEffect(() => latest.cancel, [latest]);
-  return shown;
-}
 
 interface BandsTableProps {
   readonly answer: FrequencyAnswer;

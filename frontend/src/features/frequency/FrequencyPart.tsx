@@ -3,7 +3,6 @@
 import { Button } from "@mantine/core";
 import { useDisclosure } from "@mantine/hooks";
 import { lazy, useRef } from "react";
-import type { Catalogue } from "../../api/types";
 import { useAction, useActionButton } from "../../lab/actions";
 import type { ResultView } from "../../lab/resultView";
 import { Card } from "../../ui/Card";
@@ -11,12 +10,7 @@ import { LazyPart } from "../../ui/LazyPart";
 
 const FrequencyCard = lazy(() => import("./FrequencyCard").then((module) => ({ default: module.FrequencyCard })));
 
-interface Props {
-  readonly resultView: ResultView;
-  readonly catalogue: Catalogue;
-}
-
-export function FrequencyPart(props: Props) {
+export function FrequencyPart(props: { readonly resultView: ResultView }) {
   const [opened, { toggle }] = useDisclosure(false);
   const part = useRef<HTMLDivElement>(null);
   useAction("frequencies", () => {

@@ -1,7 +1,7 @@
 /** The fuzzy speed controller's sets and rules, edited beside the surface that they come to and the drive over it. */
 
 import { Button, SegmentedControl, Skeleton, useComputedColorScheme } from "@mantine/core";
-import { useState, useEffect, useMemo } from "react";
+import { useState, useEffect } from "react";
 import { useEdit, useReadOnly, useScenario, useFromScenario } from "../../lab/context";
 import type { ResultView } from "../../lab/resultView";
 import { Chart, type ChartFigure } from "../../plots/Chart";
@@ -25,9 +25,9 @@ import { SetsEditor } from "./SetsEditor";
 import classes from "./fuzzy.module.css";
 import { useQuery } from "@tanstack/react-query";
 import { ask } from "../../api/http";
-import { ApiProblem, isTransient, messageOf, type FieldError } from "../../api/problem";
+import { ApiProblem, type FieldError } from "../../api/problem";
 import type { FuzzyAnswer, JsonValue } from "../../api/types";
-import { createLatest } from "../../lib/latest";
+import { useLatest } from "../../server/useLatest";
 import { Choice } from "../../ui/Entry";
 import { extent } from "../../lib/samples";
 
@@ -194,26 +194,12 @@ function useInference(): Inference | null {
     staleTime: Infinity,
   }).data;
   const fuzzy = useFromScenario((scenario) => getAt(scenario, "/fuzzy"));
-  const [shown, setShown] = useState<Omit<Inference, "paper" | "answer"> & { readonly answer: FuzzyAnswer | null }>({
-    answer: null,
-    errors: [],
-  });
-  const latest = useMemo(
-    () =>
-      createLatest<JsonValue, FuzzyAnswer>({
-        run: (asked, signal) => ask("post", "/fuzzy", { body: { scenario: { fuzzy: asked } } }, signal),
-        onAnswer: (answer) => setShown({ answer, errors: [] }),
-        onError: (error) => {
-          if (isTransient(error)) return;
-          const errors = error instanceof ApiProblem ? error.errors : [{ pointer: "", message: messageOf(error) }];
-          setShown(({ answer }) => ({ answer, errors }));
-        },
-      }),
-    [],
+  const { answer, error, request } = useLatest((asked: JsonValue, signal) =>
+    ask("post", "/fuzzy", { body: { scenario: { fuzzy: asked } } }, signal),
   );
-  useEffect(() => latest.request(fuzzy ?? {}), [latest, fuzzy]);
-  useEffect(() => latest.cancel, [latest]);
-  return paper ? { paper, answer: shown.answer ?? paper, errors: shown.errors } : null;
+  useEffect(() => request(fuzzy ?? {}), [request, fuzzy]);
+  const errors = error instanceof ApiProblem ? error.errors : error ? [{ pointer: "", message: error.message }] : [];
+  return paper ? { paper, answer: answer ?? paper, errors } : null;
 }
 
 interface Drive {

@@ -20,10 +20,9 @@ import { horizonFigures, REAR_DASH } from "./horizon";
 import classes from "./instant.module.css";
 import ui from "../../ui/ui.module.css";
 import { useThrottledCallback } from "@mantine/hooks";
-import { useEffect, useMemo, useState } from "react";
+import { useEffect } from "react";
 import { ask } from "../../api/http";
-import { isTransient, messageOf } from "../../api/problem";
-import { createLatest } from "../../lib/latest";
+import { useLatest } from "../../server/useLatest";
 import { Choice } from "../../ui/Entry";
 
 interface Props {
@@ -235,43 +234,29 @@ export const termName = (name: string): string => {
 /** Between two questions [ms]. */
 const PACE_MS = 100;
 
-interface Shown {
-  readonly answer: InstantAnswer | null;
-  /** Why there is none at the cursor. */
-  readonly fault: string | null;
+interface Question {
+  readonly id: string;
+  readonly of: StrategyId;
+  readonly along: Axis;
+  readonly at: number;
 }
 
-/** `null` as a run is a preview, whose instants nobody can ask for. */
-function useInstant(runId: string | null, strategy: StrategyId, axis: Axis): Shown {
-  const [shown, setShown] = useState<Shown>({ answer: null, fault: null });
-  const latest = useMemo(
-    () =>
-      createLatest<number, InstantAnswer>({
-        run: (at, signal) =>
-          ask(
-            "get",
-            "/runs/{id}/instant",
-            { path: { id: runId ?? "" }, query: { strategy, [axisKey(axis)]: at } },
-            signal,
-          ),
-        onAnswer: (answer) => setShown({ answer, fault: null }),
-        onError: (error) => {
-          if (!isTransient(error)) setShown({ answer: null, fault: messageOf(error) });
-        },
-      }),
-    [runId, strategy, axis],
+/** `runId` is `null` as a run is a preview, whose instants nobody can ask for. */
+function useInstant(runId: string | null, strategy: StrategyId, axis: Axis) {
+  const { answer, error, request, cancel } = useLatest(({ id, of, along, at }: Question, signal) =>
+    ask("get", "/runs/{id}/instant", { path: { id }, query: { strategy: of, [axisKey(along)]: at } }, signal),
   );
   const follow = useThrottledCallback(() => {
     const at = cursor.get(axis);
-    if (runId !== null && at !== null) latest.request(at);
+    if (runId !== null && at !== null) request({ id: runId, of: strategy, along: axis, at });
   }, PACE_MS);
   useEffect(() => {
     follow();
     const following = cursor.subscribe(follow);
     return () => {
       following.unsubscribe();
-      latest.cancel();
+      cancel();
     };
-  }, [follow, latest]);
-  return shown;
+  }, [follow, cancel, runId, strategy, axis]);
+  return { answer: error ? null : answer, fault: error?.message ?? null };
 }

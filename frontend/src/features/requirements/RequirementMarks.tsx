@@ -3,9 +3,8 @@
 import type { RequirementResult } from "../../api/types";
 import { Icon } from "../../ui/icons";
 import { limitText, RESULT_WORDS } from "./judged";
-import { useFigures, useCatalogue } from "../../server/useCatalogues";
-import { metricsOf } from "../../server/metrics";
-import { useMemo, type ReactNode } from "react";
+import { useCatalogues } from "../../server/useCatalogues";
+import type { ReactNode } from "react";
 import { Box } from "@mantine/core";
 import ui from "../../ui/ui.module.css";
 
@@ -17,11 +16,7 @@ export function RequirementMarks({ results }: { readonly results: readonly Requi
 }
 
 export function RequirementMark({ result }: { readonly result: RequirementResult }) {
-  const [catalogue, templates] = [useCatalogue(), useFigures()];
-  const figure = useMemo(
-    () => metricsOf(catalogue, templates).find(({ key }) => key === result.metric),
-    [catalogue, templates, result.metric],
-  );
+  const figure = useCatalogues().figures.find(({ key }) => key === result.metric);
   const limit = limitText(result, figure, result.baseline);
   return (
     <ResultMark result={result.result} title={`Required: ${limit}`}>

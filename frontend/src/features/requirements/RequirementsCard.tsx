@@ -8,6 +8,7 @@ import { valueNamed } from "../../lab/metricPath";
 import { limitOf, requirementText, type LimitKind, type Requirement } from "../../lab/requirements";
 import type { ResultView } from "../../lab/resultView";
 import { fullName, optionsOf, type Metric } from "../../server/metrics";
+import { useCatalogues } from "../../server/useCatalogues";
 import { dialog } from "../../scenario/library";
 import { Card } from "../../ui/Card";
 import { Choice, Entry, EntryRow, Finder } from "../../ui/Entry";
@@ -18,15 +19,11 @@ import { LIMIT_WORDS, limitText, limitUnit, resultsOf, shownLimit } from "./judg
 import { RequirementMark } from "./RequirementMarks";
 import { Note } from "../../ui/Messages";
 
-interface Props {
-  readonly resultView: ResultView;
-  readonly figures: readonly Metric[];
-}
-
 /** As many as the service takes. */
 const MOST = 64;
 
-export function RequirementsCard({ resultView, figures }: Props) {
+export function RequirementsCard({ resultView }: { readonly resultView: ResultView }) {
+  const { figures } = useCatalogues();
   const { labAddress } = useLabContext();
   const { requirements } = useView();
   const readOnly = useReadOnly();

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Catalogue, Run, Summary } from "../../api/types";
+import { metricsOf } from "../../server/metrics";
 import { compareRuns } from "./DifferencesCard";
 
 const quantity = (key: string, label: string, unit = "1") => ({
@@ -22,6 +23,8 @@ const CATALOGUE: Catalogue = {
   run_figures: [quantity("travel_time", "Travel time", "s")],
   references: [],
 };
+
+const METRICS = metricsOf(CATALOGUE, {});
 
 const summary = (peak: number, reached: boolean, weighted = 1): Summary => ({
   status: "ok",
@@ -46,16 +49,11 @@ const run = (strategies: Run["strategies"]): Run => ({
 describe("the same scenario computed twice", () => {
   it("has no differences where all is equal", () => {
     const once = run({ lv: summary(2, true) });
-    expect(compareRuns(once, once, CATALOGUE, {})).toEqual({ differences: [], compared: 5, failed: [] });
+    expect(compareRuns(once, once, METRICS)).toEqual({ differences: [], compared: 5, failed: [] });
   });
 
   it("lists what changed, the largest first, and what is no number before all", () => {
-    const { differences } = compareRuns(
-      run({ lv: summary(2, true, 1) }),
-      run({ lv: summary(1, false, 1.1) }),
-      CATALOGUE,
-      {},
-    );
+    const { differences } = compareRuns(run({ lv: summary(2, true, 1) }), run({ lv: summary(1, false, 1.1) }), METRICS);
     expect(differences.map(({ metric, then, now }) => [metric, then, now])).toEqual([
       ["Target speed reached", true, false],
       ["Body acceleration, peak, bump", 2, 1],
@@ -67,15 +65,14 @@ describe("the same scenario computed twice", () => {
     const { differences } = compareRuns(
       run({ lv: summary(0, true, 1) }),
       run({ lv: summary(1e-17, true, 1 + 1e-7) }),
-      CATALOGUE,
-      {},
+      METRICS,
     );
     expect(differences).toEqual([]);
   });
 
   it("says which strategies cannot be compared", () => {
     const broken = { status: "failed", reason: "no solution", compute_ms: 1 } as Run["strategies"][string];
-    const { failed, compared } = compareRuns(run({ lv: summary(1, true) }), run({ lv: broken }), CATALOGUE, {});
+    const { failed, compared } = compareRuns(run({ lv: summary(1, true) }), run({ lv: broken }), METRICS);
     expect(failed).toEqual(["lv: computed then, failed (no solution) now"]);
     expect(compared).toBe(0);
   });

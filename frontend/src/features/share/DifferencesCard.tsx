@@ -1,13 +1,14 @@
 /** What this version computes otherwise than the one that made the shared result. */
 
 import { CloseButton, Group, Text } from "@mantine/core";
-import type { Catalogue, FigureTemplate, Run, Strategy, StrategyId, Summary } from "../../api/types";
+import type { Run, Strategy, StrategyId, Summary } from "../../api/types";
 import { formatPercent } from "../tables/change";
 import { StrategyName, NameWithUnit } from "../../ui/StrategyKey";
 import { formatNumber } from "../../units/format";
 import { Card } from "../../ui/Card";
 import { DataTable } from "../../ui/DataTable";
-import { fullName, metricsOf, type Metric } from "../../server/metrics";
+import { fullName, type Metric } from "../../server/metrics";
+import { useCatalogues } from "../../server/useCatalogues";
 import { metricPath, valueAt } from "../../lab/metricPath";
 import { Note } from "../../ui/Messages";
 
@@ -15,8 +16,6 @@ interface Props {
   readonly then: Run;
   readonly now: Run;
   readonly strategies: readonly Strategy[];
-  readonly catalogue: Catalogue;
-  readonly figures: Readonly<Record<string, FigureTemplate>>;
   readonly onClose: () => void;
 }
 
@@ -37,8 +36,8 @@ function change({ then, now }: Difference): string {
   return Math.abs(percent) < 0.05 ? size : `${size} (${formatPercent(percent)})`;
 }
 
-export function DifferencesCard({ then, now, strategies, catalogue, figures, onClose }: Props) {
-  const { differences, compared, failed } = compareRuns(then, now, catalogue, figures);
+export function DifferencesCard({ then, now, strategies, onClose }: Props) {
+  const { differences, compared, failed } = compareRuns(then, now, useCatalogues().figures);
   const same = then.core_version === now.core_version;
   return (
     <Card mt="0.6rem" aria-label="Differences">
@@ -130,8 +129,6 @@ interface Comparison {
   readonly failed: readonly string[];
 }
 
-type Figures = Readonly<Record<string, FigureTemplate>>;
-
 /** In the unit the page shows it in; `undefined` of a result that does not have it. */
 function figureOf(summary: Summary, { key, scale }: Metric): Figure | undefined {
   const [, event] = /^events[.](.+)/.exec(key) ?? [];
@@ -149,7 +146,7 @@ function sizeOf(then: Figure, now: Figure, scale: number): number {
   return Math.abs(now - then) / Math.max(Math.abs(then), Math.abs(now));
 }
 
-export function compareRuns(then: Run, now: Run, catalogue: Catalogue, templates: Figures): Comparison {
+export function compareRuns(then: Run, now: Run, metrics: readonly Metric[]): Comparison {
   const differences: Difference[] = [];
   const failed: string[] = [];
   let compared = 0;
@@ -161,7 +158,7 @@ export function compareRuns(then: Run, now: Run, catalogue: Catalogue, templates
       failed.push(`${strategy}: ${say(before)} then, ${say(after)} now`);
       continue;
     }
-    for (const metric of metricsOf(catalogue, templates)) {
+    for (const metric of metrics) {
       const [value, current = null] = [figureOf(before, metric), figureOf(after, metric)];
       if (value === undefined) continue;
       compared += 1;

@@ -5,7 +5,7 @@ import { useMutation } from "@tanstack/react-query";
 import type { ReactNode } from "react";
 import { Icon } from "../../ui/icons";
 import { api } from "../../api/client";
-import type { Link, Catalogue, FigureTemplate, Run, Strategy } from "../../api/types";
+import type { Link, Run, Strategy } from "../../api/types";
 import { useLabContext, useLab } from "../../lab/context";
 import { useSelector } from "@tanstack/react-store";
 import { DifferencesCard } from "./DifferencesCard";
@@ -13,25 +13,25 @@ import ui from "../../ui/ui.module.css";
 import { Fault } from "../../ui/Messages";
 import { formatDay } from "../../units/dates";
 
-interface Props {
-  readonly strategies: readonly Strategy[];
-  readonly catalogue: Catalogue;
-  readonly figures: Readonly<Record<string, FigureTemplate>>;
-}
-
-export function SharedBanner(props: Props) {
+export function SharedBanner({ strategies }: { readonly strategies: readonly Strategy[] }) {
   const { labAddress } = useLabContext();
   const { slug } = useSelector(labAddress);
   const shared = useLab((state) => state.shared);
   const failed = useLab((state) => state.failure !== null && state.failure.kind !== "unreachable");
-  if (shared?.run) return <Banner key={shared.slug} link={shared} run={shared.run} {...props} />;
+  if (shared?.run) return <Banner key={shared.slug} link={shared} run={shared.run} strategies={strategies} />;
   // Its place is kept while the link is being opened.
   return slug !== null && !failed ? (
     <div className={ui.banner} aria-busy aria-label="Opening the shared result" />
   ) : null;
 }
 
-function Banner({ link, run, strategies, catalogue, figures }: Props & { readonly link: Link; readonly run: Run }) {
+interface BannerProps {
+  readonly link: Link;
+  readonly run: Run;
+  readonly strategies: readonly Strategy[];
+}
+
+function Banner({ link, run, strategies }: BannerProps) {
   const { lab, labAddress } = useLabContext();
   // The link's pins stay with it: what is against one of them would be against something else in the copy.
   const openCopy = () => {
@@ -63,9 +63,7 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
           It could not be run again: {again.error.message}
         </Fault>
       )}
-      {again.data && (
-        <DifferencesCard {...{ strategies, catalogue, figures }} then={run} now={again.data} onClose={again.reset} />
-      )}
+      {again.data && <DifferencesCard strategies={strategies} then={run} now={again.data} onClose={again.reset} />}
     </>
   );
 }

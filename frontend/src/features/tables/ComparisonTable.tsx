@@ -1,22 +1,12 @@
 /** RMS on the rough road and peak on the bump, side by side, a row for each strategy of each variant. */
 
-import type { Catalogue, FigureTemplate, SignalKey } from "../../api/types";
+import type { SignalKey } from "../../api/types";
 import type { ResultView } from "../../lab/resultView";
-import { prettyUnit, formatFixed } from "../../units/format";
-import {
-  CURRENT,
-  byStrategy,
-  entryGroups,
-  lowestOf,
-  type Entry,
-  changeOf,
-  intervalAt,
-  type WindowView,
-  VIEWS,
-} from "./entries";
+import { formatFixed } from "../../units/format";
+import { CURRENT, byStrategy, entryGroups, lowestOf, type Entry, changeOf, intervalAt, VIEWS } from "./entries";
 import { type WindowMetric, metricName, valueAt, type MetricPath } from "../../lab/metricPath";
 import classes from "./tables.module.css";
-import { shownUnit } from "../../server/metrics";
+import type { Labels } from "../../server/labels";
 import { SolveButton } from "../solve/SolveButton";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { ManualLink } from "../../ui/ManualLink";
@@ -30,8 +20,7 @@ import { UnstyledButton } from "@mantine/core";
 
 export interface ComparisonProps {
   readonly resultView: ResultView;
-  readonly catalogue: Catalogue;
-  readonly figures: Readonly<Record<string, FigureTemplate>>;
+  readonly words: Labels;
   readonly signals: readonly SignalKey[];
   /** What the rows of a variant, or those of a strategy, stand under. */
   readonly grouping: "variant" | "strategy";
@@ -40,14 +29,6 @@ export interface ComparisonProps {
 interface Props extends ComparisonProps {
   readonly caption: string;
 }
-
-export function headingOf({ window, statistic }: WindowView, catalogue: Catalogue): string {
-  const name = (list: Catalogue["windows"], key: string) => list.find((entry) => entry.key === key)?.label ?? key;
-  return `${name(catalogue.statistics, statistic)}, ${name(catalogue.windows, window).toLowerCase()}`;
-}
-
-export const labelOf = (signal: string, catalogue: Catalogue) =>
-  catalogue.signals.find(({ key }) => key === signal)?.label ?? signal;
 
 export function ComparisonTable({ caption, ...props }: Props) {
   const { resultView, grouping } = props;
@@ -73,18 +54,18 @@ export function ComparisonTable({ caption, ...props }: Props) {
   );
 }
 
-function columnsOf({ resultView, catalogue, figures, signals, grouping }: ComparisonProps): readonly Column<Entry>[] {
+function columnsOf({ resultView, words, signals, grouping }: ComparisonProps): readonly Column<Entry>[] {
   const groups = entryGroups(resultView);
   const results = VIEWS.flatMap((view) =>
     signals.map((signal): Column<Entry> => {
       const metric = { window: view.window, signal, statistic: view.statistic };
-      const { unit, scale } = shownUnit(signal, figures, catalogue);
+      const { scale } = words.unit(signal);
       const lowest = lowestOf(groups, metric);
       return {
         key: `${view.window} ${signal}`,
-        group: headingOf(view, catalogue),
-        head: labelOf(signal, catalogue),
-        detail: <UnitAndTools {...{ unit, metric, catalogue }} />,
+        group: words.view(view),
+        head: words.signal(signal),
+        detail: <UnitAndTools {...{ metric, words }} />,
         sort: ({ summary }) => valueAt(summary, metric),
         attributes: (entry) => cellAttributes(entry, metric),
         cell: (entry) => <ResultCell {...{ resultView, entry, metric, scale, lowest }} />,
@@ -96,28 +77,25 @@ function columnsOf({ resultView, catalogue, figures, signals, grouping }: Compar
       key: "strategy",
       head: "Strategy",
       text: true,
-      cell: (entry) => <EntryHead entry={entry} catalogue={catalogue} byVariant={grouping === "strategy"} />,
+      cell: (entry) => <EntryHead entry={entry} catalogue={words.catalogue} byVariant={grouping === "strategy"} />,
     },
     ...results,
   ];
 }
 
 interface UnitProps {
-  readonly unit: string;
   readonly metric: WindowMetric;
-  readonly catalogue: Catalogue;
+  readonly words: Labels;
 }
 
-export function UnitAndTools({ unit, metric: { window, signal, statistic }, catalogue }: UnitProps) {
+export function UnitAndTools({ metric: { window, signal, statistic }, words }: UnitProps) {
+  const label = words.signal(signal);
   return (
     <>
-      {prettyUnit(unit)}{" "}
+      {words.unit(signal).unit}{" "}
       <span className={classes.tools}>
-        <SolveButton
-          metric={`${window}.${signal}.${statistic}`}
-          label={`${labelOf(signal, catalogue)}, ${window.replace("_", " ")}`}
-        />
-        <ManualLink name={signal} label={labelOf(signal, catalogue)} />
+        <SolveButton metric={`${window}.${signal}.${statistic}`} label={`${label}, ${window.replace("_", " ")}`} />
+        <ManualLink name={signal} label={label} />
       </span>
     </>
   );
@@ -158,7 +136,7 @@ export const cellAttributes = ({ summary }: Entry, metric: WindowMetric) => ({
 
 interface EntryHeadProps {
   readonly entry: Entry;
-  readonly catalogue: Catalogue;
+  readonly catalogue: Labels["catalogue"];
   /** For a column's head: name under its line. */
   readonly upright?: boolean;
   /** Called by its variant: its strategy stands above it. */

@@ -2,6 +2,7 @@
 
 import type { ReactNode } from "react";
 import type { Catalogue, Quantity } from "../../api/types";
+import { useCatalogue } from "../../server/useCatalogues";
 import type { ResultView } from "../../lab/resultView";
 import { formatNumber, formatResult, prettyUnit } from "../../units/format";
 import { ChangeText, Estimated } from "./ChangeMark";
@@ -45,16 +46,11 @@ function show(value: Value): string {
     : formatResult(value);
 }
 
-interface RunTableProps {
-  readonly resultView: ResultView;
-  readonly catalogue: Catalogue;
-}
-
-export function RunTable({ resultView, catalogue }: RunTableProps) {
+export function RunTable({ resultView }: { readonly resultView: ResultView }) {
   return (
     <DataTable
       label="Comfort, time and events"
-      rows={rows(catalogue)}
+      rows={rows(useCatalogue())}
       rowKey={({ quantity }) => quantity.key}
       columns={[
         {

@@ -5,12 +5,10 @@ import { useMediaQuery } from "@mantine/hooks";
 import { useId, useState } from "react";
 import { Icon } from "../../ui/icons";
 import { CompareBar } from "../compare/CompareBar";
-import type { Catalogue, FigureTemplate, SignalKey } from "../../api/types";
+import type { SignalKey } from "../../api/types";
 import type { ResultView } from "../../lab/resultView";
 import {
   ComparisonTable,
-  headingOf,
-  labelOf,
   UnitAndTools,
   type ComparisonProps,
   cellAttributes,
@@ -25,18 +23,14 @@ import { whyNotCompared } from "../../lab/compare";
 import { DataTable } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
 import { entryGroups, lowestOf, VIEWS, type WindowView } from "./entries";
-import { shownUnit } from "../../server/metrics";
-
-interface Props {
-  readonly resultView: ResultView;
-  readonly catalogue: Catalogue;
-  readonly figures: Readonly<Record<string, FigureTemplate>>;
-}
+import { useLabels } from "../../server/labels";
 
 /** Windows too narrow, beside the form, for both halves of the comparison side by side. */
 const NARROW = "(max-width: 67.99em)";
 
-export function Tables({ resultView, catalogue, figures }: Props) {
+export function Tables({ resultView }: { readonly resultView: ResultView }) {
+  const words = useLabels();
+  const { catalogue } = words;
   const [more, setMore] = useState(false);
   const id = useId();
   const others = catalogue.metric_signals.filter((signal) => !catalogue.paper_signals.includes(signal));
@@ -48,12 +42,12 @@ export function Tables({ resultView, catalogue, figures }: Props) {
       VIEWS.map((view) => (
         <NarrowTable
           key={view.window}
-          {...{ resultView, catalogue, figures, signals, view, grouping }}
-          heading={`${headingOf(view, catalogue)}${of}`}
+          {...{ resultView, words, signals, view, grouping }}
+          heading={`${words.view(view)}${of}`}
         />
       ))
     ) : (
-      <ComparisonTable {...{ resultView, catalogue, figures, signals, caption, grouping }} />
+      <ComparisonTable {...{ resultView, words, signals, caption, grouping }} />
     );
   return (
     <Card className={classes.comparison ?? ""} aria-label="Comparison" data-intervals={hasIntervals || undefined}>
@@ -72,7 +66,7 @@ export function Tables({ resultView, catalogue, figures }: Props) {
       {more && (
         <div id={id}>
           {compare(others, "Suspension travel and actuator forces", ": travel and forces")}
-          <RunTable resultView={resultView} catalogue={catalogue} />
+          <RunTable resultView={resultView} />
         </div>
       )}
       <ChangesNote resultView={resultView} />
@@ -118,14 +112,7 @@ interface NarrowTableProps extends ComparisonProps {
 }
 
 /** The comparison where there is little width: a row per signal, a column for each strategy of each variant. */
-function NarrowTable({
-  resultView,
-  catalogue,
-  figures,
-  signals,
-  view: { window, statistic },
-  heading,
-}: NarrowTableProps) {
+function NarrowTable({ resultView, words, signals, view: { window, statistic }, heading }: NarrowTableProps) {
   const groups = entryGroups(resultView);
   const metricOf = (signal: SignalKey) => ({ window, signal, statistic });
   return (
@@ -142,20 +129,16 @@ function NarrowTable({
           text: true,
           cell: (signal) => (
             <>
-              {labelOf(signal, catalogue)}{" "}
+              {words.signal(signal)}{" "}
               <span className={ui.dim}>
-                <UnitAndTools
-                  unit={shownUnit(signal, figures, catalogue).unit}
-                  metric={metricOf(signal)}
-                  catalogue={catalogue}
-                />
+                <UnitAndTools metric={metricOf(signal)} words={words} />
               </span>
             </>
           ),
         },
         ...variantColumns<SignalKey>(
           groups,
-          (entry) => <EntryHead entry={entry} catalogue={catalogue} upright />,
+          (entry) => <EntryHead entry={entry} catalogue={words.catalogue} upright />,
           (entry) => ({
             attributes: (signal) => ({
               ...cellAttributes(entry, metricOf(signal)),
@@ -166,7 +149,7 @@ function NarrowTable({
                 {...{ resultView, entry }}
                 metric={metricOf(signal)}
                 lowest={lowestOf(groups, metricOf(signal))}
-                scale={shownUnit(signal, figures, catalogue).scale}
+                scale={words.unit(signal).scale}
               />
             ),
           }),

@@ -8,7 +8,7 @@ import { whyNotCompared, type Variant } from "../../lab/compare";
 import type { ResultView } from "../../lab/resultView";
 import { labelled, Choice } from "../../ui/Entry";
 import { ChangeText } from "../tables/ChangeMark";
-import { headingOf, labelOf } from "../tables/ComparisonTable";
+import { useLabels } from "../../server/labels";
 import { VIEWS, changeBetween, comparedMetrics } from "../tables/entries";
 import { metricName, type WindowMetric } from "../../lab/metricPath";
 import { requiredOf } from "../requirements/judged";
@@ -18,12 +18,8 @@ import classes from "./verdict.module.css";
 import ui from "../../ui/ui.module.css";
 import type { Change } from "../tables/change";
 
-interface Props {
-  readonly resultView: ResultView;
-  readonly catalogue: Catalogue;
-}
-
-export function ChangeChips({ resultView, catalogue }: Props) {
+export function ChangeChips({ resultView }: { readonly resultView: ResultView }) {
+  const words = useLabels();
   const { before, shown, strategies } = resultView;
   const [picked, setPicked] = useState<string | null>(null);
   const readOnly = useReadOnly();
@@ -43,7 +39,7 @@ export function ChangeChips({ resultView, catalogue }: Props) {
         {note} <EqualSpeed resultView={resultView} />
       </div>
     );
-  const changes = editChanges(resultView, before, catalogue, paired);
+  const changes = editChanges(resultView, before, words.catalogue, paired);
   const strategy = strategies.find(({ id }) => id === picked) ?? changedMost(changes, strategies);
   const of = changes.filter((each) => each.strategy === strategy?.id);
   return (
@@ -57,7 +53,7 @@ export function ChangeChips({ resultView, catalogue }: Props) {
         onPick={setPicked}
       />
       {VIEWS.map((view) => (
-        <Group key={view.window} component="span" gap="0.2rem" title={headingOf(view, catalogue)}>
+        <Group key={view.window} component="span" gap="0.2rem" title={words.view(view)}>
           {windowName(view.window)}
           {of
             .filter(({ metric }) => metric.window === view.window)
@@ -65,7 +61,7 @@ export function ChangeChips({ resultView, catalogue }: Props) {
               <ChangeChip
                 key={metric.signal}
                 metric={metric}
-                label={labelOf(metric.signal, catalogue)}
+                label={words.signal(metric.signal)}
                 change={change}
                 required={strategy ? requiredOf(resultView.judged, { shown, strategy }, metricName(metric)) : []}
               />

@@ -9,6 +9,7 @@ import type { ResultView } from "../../lab/resultView";
 import type { Result } from "../../lab/result";
 import { setAt } from "../../scenario/path";
 import { changesQuery } from "../../server/queries";
+import { useCatalogue } from "../../server/useCatalogues";
 import { CaveatMark } from "../tables/ChangeMark";
 import { caveatsOf } from "../tables/caveats";
 import { formatFixed } from "../../units/format";
@@ -27,12 +28,8 @@ export function usePairedChanges(
   return own ?? (asked ? data?.changes : undefined);
 }
 
-interface Props {
-  readonly resultView: ResultView;
-  readonly catalogue: Catalogue;
-}
-
-export function VerdictLine({ resultView, catalogue }: Props) {
+export function VerdictLine({ resultView }: { readonly resultView: ResultView }) {
+  const catalogue = useCatalogue();
   const { shown, strategies, baseline, summaries } = resultView;
   const leader = leaderOf(resultView, catalogue);
   const rival = leader && rivalOf(resultView, leader, baseline);

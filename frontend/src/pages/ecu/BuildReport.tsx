@@ -5,9 +5,9 @@ import { Icon } from "../../ui/icons";
 import { queryOptions, useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { ask } from "../../api/http";
-import type { Catalogue, ControllerReport, Scenario } from "../../api/types";
+import type { ControllerReport, Scenario } from "../../api/types";
 import { formatPercent } from "../../features/tables/change";
-import { headingOf, labelOf } from "../../features/tables/ComparisonTable";
+import { useLabels, type Labels } from "../../server/labels";
 import { VIEWS } from "../../features/tables/entries";
 import { formatNumber, formatWhole } from "../../units/format";
 import { formatEnds, formatTime, kilobytes, largestLoss } from "./effort";
@@ -15,11 +15,6 @@ import { DataTable, type Column } from "../../ui/DataTable";
 import { Fault, Note } from "../../ui/Messages";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
-
-interface Props {
-  readonly scenario: Scenario;
-  readonly catalogue: Catalogue;
-}
 
 const reportQuery = (scenario: Scenario, enabled: boolean) =>
   queryOptions({
@@ -29,7 +24,7 @@ const reportQuery = (scenario: Scenario, enabled: boolean) =>
     enabled,
   });
 
-export function BuildReport({ scenario, catalogue }: Props) {
+export function BuildReport({ scenario }: { readonly scenario: Scenario }) {
   const [requested, setRequested] = useState<Scenario | null>(null);
   const report = useQuery(reportQuery(scenario, requested === scenario));
   return (
@@ -49,7 +44,7 @@ export function BuildReport({ scenario, catalogue }: Props) {
       }
     >
       {report.data ? (
-        <Report report={report.data} catalogue={catalogue} />
+        <Report report={report.data} />
       ) : (
         <Stack gap="xs" px="0.9rem" pb="sm">
           <Text c="dimmed">
@@ -65,7 +60,8 @@ export function BuildReport({ scenario, catalogue }: Props) {
   );
 }
 
-function Report({ report, catalogue }: { readonly report: ControllerReport; readonly catalogue: Catalogue }) {
+function Report({ report }: { readonly report: ControllerReport }) {
+  const words = useLabels();
   const { part, rows, cycles_per_operation: cycles, spread } = report;
   const [all, setAll] = useState(false);
   const [own, ...smaller] = rows;
@@ -87,7 +83,7 @@ function Report({ report, catalogue }: { readonly report: ControllerReport; read
         rows={rows}
         rowKey={(row) => `${row.prediction_horizon} ${row.control_horizon} ${row.checked} ${row.iterations}`}
         rowAttributes={({ fits }) => ({ "data-fits": fits })}
-        columns={[...costColumns(report), ...(all ? changeColumns(catalogue) : lossColumns(catalogue))]}
+        columns={[...costColumns(report), ...(all ? changeColumns(words) : lossColumns(words))]}
       />
       <Switch
         size="xs"
@@ -162,22 +158,22 @@ function costColumns({ part, rows, sample_time: step }: ControllerReport): reado
   ];
 }
 
-const changeColumns = (catalogue: Catalogue) =>
+const changeColumns = (words: Labels) =>
   VIEWS.flatMap((view) =>
-    catalogue.paper_signals.map((signal): Column<Row> => ({
+    words.catalogue.paper_signals.map((signal): Column<Row> => ({
       key: `${view.window} ${signal}`,
-      group: headingOf(view, catalogue),
-      head: labelOf(signal, catalogue),
+      group: words.view(view),
+      head: words.signal(signal),
       cell: ({ changes }) => shownChange(changes[view.window]?.[signal]),
     })),
   );
 
-const lossColumns = (catalogue: Catalogue) =>
+const lossColumns = (words: Labels) =>
   VIEWS.map((view): Column<Row> => ({
     key: view.window,
-    head: headingOf(view, catalogue),
+    head: words.view(view),
     detail: "largest increase",
-    cell: ({ changes }) => <Loss changes={changes[view.window] ?? {}} catalogue={catalogue} />,
+    cell: ({ changes }) => <Loss changes={changes[view.window] ?? {}} words={words} />,
   }));
 
 const shownChange = (change: number | null | undefined) => (typeof change === "number" ? formatPercent(change) : "–");
@@ -193,17 +189,17 @@ function Fits({ fits, reasons }: { readonly fits: boolean; readonly reasons: rea
 
 interface LossProps {
   readonly changes: Readonly<Record<string, number | null>>;
-  readonly catalogue: Catalogue;
+  readonly words: Labels;
 }
 
 /** The largest increase, and of what. */
-function Loss({ changes, catalogue }: LossProps) {
+function Loss({ changes, words }: LossProps) {
   const changed = Object.entries(changes).flatMap(([signal, change]) => (change === null ? [] : [{ signal, change }]));
   const worst = changed.toSorted((a, b) => b.change - a.change)[0];
   if (!worst) return <>–</>;
   return (
     <>
-      {formatPercent(worst.change)} <span className={ui.under}>{labelOf(worst.signal, catalogue)}</span>
+      {formatPercent(worst.change)} <span className={ui.under}>{words.signal(worst.signal)}</span>
     </>
   );
 }

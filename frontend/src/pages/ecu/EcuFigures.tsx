@@ -3,10 +3,11 @@
 import { Box, Group, SegmentedControl } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useMemo, useState, type ComponentProps } from "react";
-import type { Catalogue, FigureTemplate, Run, Strategy } from "../../api/types";
+import type { Catalogue, FigureTemplate, FigureTemplates, Run, Strategy } from "../../api/types";
 import type { Curves } from "../../plots/curves";
 import { PlotPanels, useCurvesSource } from "../../plots/PlotGrid";
 import { DEFAULT_VIEW, type Axis, type Zoom } from "../../lab/address";
+import { useCatalogue, useFigures } from "../../server/useCatalogues";
 import { DETAIL_POINTS, seriesQuery } from "../../server/queries";
 import { makeResultView } from "../../lab/resultView";
 import { fromRun } from "../../lab/result";
@@ -19,12 +20,11 @@ import { Columns } from "../../ui/Card";
 interface Props {
   readonly run: Run;
   readonly strategies: readonly Strategy[];
-  readonly catalogue: Catalogue;
-  readonly figures: Readonly<Record<string, FigureTemplate>>;
   readonly stale: boolean;
 }
 
-export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props) {
+export function EcuFigures({ run, strategies, stale }: Props) {
+  const [catalogue, figures] = [useCatalogue(), useFigures()];
   const [axis, setAxis] = useState<Axis>("time");
   const [zoom, setZoom] = useState<Zoom | null>(null);
   const ids = useMemo(
@@ -95,7 +95,7 @@ function Panels({ curves, ...props }: PanelsProps) {
 /** Drawn from the back to the front: what swings furthest would hide what is compared. */
 const ORDER: readonly string[] = ["lqr", "lv", "lv_hil"];
 
-function templatesOf(catalogue: Catalogue, figures: Props["figures"]): readonly FigureTemplate[] {
+function templatesOf(catalogue: Catalogue, figures: FigureTemplates): readonly FigureTemplate[] {
   return catalogue.paper_signals.flatMap((signal) => {
     const template = Object.values(figures).find(({ layout }) => layout.meta.signal === signal);
     return template

@@ -8,7 +8,7 @@ import { usePageScenario, type PageScenario } from "../../features/scenarioSourc
 import { ScenarioChoice } from "../../features/scenarioSource/ScenarioChoice";
 import { errorsByField } from "../../scenario/errors";
 import { Page } from "../../ui/Page";
-import { useCatalogue, useFigures, useForm, useSchemeColours, useStrategies } from "../../server/useCatalogues";
+import { useForm, useSchemeColours, useStrategies } from "../../server/useCatalogues";
 import { BuildReport } from "./BuildReport";
 import { EcuFigures } from "./EcuFigures";
 import { EcuTable } from "./EcuTable";
@@ -34,7 +34,7 @@ const NO_ERRORS = { fields: {}, general: [] };
 export function EcuPage() {
   const source = usePageScenario();
   const { scenario, run, stale, error, change, choose } = useEcuRun(source);
-  const [form, strategies, catalogue, figures] = [useForm(), useStrategies(), useCatalogue(), useFigures()];
+  const [form, strategies] = [useForm(), useStrategies()];
 
   const refused = useMemo(() => {
     if (!error || isTransient(error)) return NO_ERRORS;
@@ -83,21 +83,16 @@ export function EcuPage() {
       ))}
       {run ? (
         <>
-          <EcuTable {...{ summaries, stale }} strategies={shown} catalogue={catalogue} figures={figures} />
-          <EcuFigures {...{ run, stale }} strategies={shown} catalogue={catalogue} figures={figures} />
+          <EcuTable {...{ summaries, stale }} strategies={shown} />
+          <EcuFigures {...{ run, stale }} strategies={shown} />
         </>
       ) : (
         refused === NO_ERRORS && <EcuLoading />
       )}
       {source.scenario && (
         <>
-          <BuildReport scenario={source.scenario} catalogue={catalogue} />
-          <RealTime
-            scenario={source.scenario}
-            catalogue={catalogue}
-            seconds={summaries.lv_hil?.travel_time ?? undefined}
-            colour={colour}
-          />
+          <BuildReport scenario={source.scenario} />
+          <RealTime scenario={source.scenario} seconds={summaries.lv_hil?.travel_time ?? undefined} colour={colour} />
         </>
       )}
     </Page>

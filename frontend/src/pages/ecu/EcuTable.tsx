@@ -3,14 +3,13 @@
 import { Anchor, Text } from "@mantine/core";
 import { Link } from "@tanstack/react-router";
 import { Icon } from "../../ui/icons";
-import type { Catalogue, FigureTemplate, Strategy, Summary } from "../../api/types";
-import { headingOf, labelOf } from "../../features/tables/ComparisonTable";
+import type { Catalogue, Strategy, Summary } from "../../api/types";
+import { useLabels, type Labels } from "../../server/labels";
 import { VIEWS } from "../../features/tables/entries";
 import { ChangeMark } from "../../features/tables/ChangeMark";
 import { formatPercent, changeAgainst } from "../../features/tables/change";
 import { StrategyName, NameWithUnit } from "../../ui/StrategyKey";
 import tables from "../../features/tables/tables.module.css";
-import { shownUnit } from "../../server/metrics";
 import { formatResult, formatWhole, prettyUnit } from "../../units/format";
 import classes from "./ecu.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
@@ -21,13 +20,12 @@ import { Note } from "../../ui/Messages";
 interface Props {
   readonly summaries: Readonly<Record<string, Summary>>;
   readonly strategies: readonly Strategy[];
-  readonly catalogue: Catalogue;
-  readonly figures: Readonly<Record<string, FigureTemplate>>;
   readonly stale: boolean;
 }
 
-export function EcuTable({ summaries, strategies, catalogue, figures, stale }: Props) {
-  const rows = rowsOf(catalogue, summaries);
+export function EcuTable({ summaries, strategies, stale }: Props) {
+  const words = useLabels();
+  const rows = rowsOf(words.catalogue, summaries);
   const judged = rows.filter(({ within }) => within !== null);
   const reached = judged.filter(({ within }) => within).length;
   return (
@@ -48,12 +46,12 @@ export function EcuTable({ summaries, strategies, catalogue, figures, stale }: P
         label="Metrics, in the ECU and in the simulation"
         groups={VIEWS.map((view) => ({
           key: view.window,
-          title: headingOf(view, catalogue),
+          title: words.view(view),
           rows: rows.filter((row) => row.view === view),
         }))}
         rowKey={({ key }) => key}
         rowAttributes={({ key }) => ({ "data-cell": key })}
-        columns={columnsOf(strategies, catalogue, figures)}
+        columns={columnsOf(strategies, words)}
       />
       <Note className={ui.note ?? ""}>
         The rule of Tables 9 and 10: each change within ±{RULE_PERCENT}&nbsp;% of the simulation. Over many roads and
@@ -63,25 +61,19 @@ export function EcuTable({ summaries, strategies, catalogue, figures, stale }: P
         </Anchor>
         .
       </Note>
-      <EcuEvents summary={summaries.lv_hil} catalogue={catalogue} />
+      <EcuEvents summary={summaries.lv_hil} catalogue={words.catalogue} />
     </Card>
   );
 }
 
-function columnsOf(
-  strategies: readonly Strategy[],
-  catalogue: Catalogue,
-  figures: Props["figures"],
-): readonly Column<HilRow>[] {
+function columnsOf(strategies: readonly Strategy[], words: Labels): readonly Column<HilRow>[] {
   const valueOf = (row: HilRow, id: string) => ({ lv: row.lv, lv_hil: row.hil, lqr: row.lqr })[id];
   return [
     {
       key: "metric",
       head: "Metric",
       text: true,
-      cell: ({ signal }) => (
-        <NameWithUnit name={labelOf(signal, catalogue)} unit={shownUnit(signal, figures, catalogue).unit} />
-      ),
+      cell: ({ signal }) => <NameWithUnit name={words.signal(signal)} unit={words.unit(signal).unit} />,
     },
     ...strategies.map((strategy): Column<HilRow> => ({
       key: strategy.id,
@@ -90,9 +82,7 @@ function columnsOf(
       attributes: (row) => ({ "data-value": valueOf(row, strategy.id) ?? "" }),
       cell: (row) => (
         <>
-          <span className={tables.value}>
-            {formatShown(valueOf(row, strategy.id), shownUnit(row.signal, figures, catalogue).scale)}
-          </span>
+          <span className={tables.value}>{formatShown(valueOf(row, strategy.id), words.unit(row.signal).scale)}</span>
           {strategy.id === "lv" ? (
             <span className={tables.change}>&nbsp;</span>
           ) : (

@@ -5,11 +5,11 @@ import { useMutation } from "@tanstack/react-query";
 import { useEffect, useMemo, useRef, useState } from "react";
 import { ask } from "../../api/http";
 import { isTransient } from "../../api/problem";
-import type { Catalogue, RealtimeReport, Scenario } from "../../api/types";
+import type { RealtimeReport, Scenario } from "../../api/types";
 import { Chart } from "../../plots/Chart";
 import { ChartButton } from "../../plots/FigureButton";
 import { ON_PAPER, PALETTES } from "../../plots/palettes";
-import { useStrategies } from "../../server/useCatalogues";
+import { useCatalogue, useStrategies } from "../../server/useCatalogues";
 import { formatPercent } from "../../features/tables/change";
 import { VIEWS } from "../../features/tables/entries";
 import { count, formatNumber, formatWhole } from "../../units/format";
@@ -22,13 +22,12 @@ import ui from "../../ui/ui.module.css";
 
 interface Props {
   readonly scenario: Scenario;
-  readonly catalogue: Catalogue;
   /** The drive takes so long [s], where it is known. */
   readonly seconds: number | undefined;
   readonly colour: string;
 }
 
-export function RealTime({ scenario, catalogue, seconds, colour }: Props) {
+export function RealTime({ scenario, seconds, colour }: Props) {
   const drive = useMutation({
     mutationFn: (wanted: Scenario) => ask("post", "/controller/realtime", { body: { scenario: wanted } }),
   });
@@ -66,7 +65,7 @@ export function RealTime({ scenario, catalogue, seconds, colour }: Props) {
           </Text>
         )}
       </Stack>
-      {report && <Report {...{ report, catalogue, colour }} />}
+      {report && <Report {...{ report, colour }} />}
     </Card>
   );
 }
@@ -127,11 +126,11 @@ const MEANING: Readonly<Record<PlotKind, string>> = {
 
 interface ReportProps {
   readonly report: RealtimeReport;
-  readonly catalogue: Catalogue;
   readonly colour: string;
 }
 
-function Report({ report, catalogue, colour }: ReportProps) {
+function Report({ report, colour }: ReportProps) {
+  const catalogue = useCatalogue();
   const strategies = useStrategies();
   const lightColour = strategies.find(({ id }) => id === "lv_hil")?.colour ?? colour;
   const palette = PALETTES[useComputedColorScheme("light")];

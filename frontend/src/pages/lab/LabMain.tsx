@@ -15,8 +15,6 @@ import { Results } from "./Results";
 import classes from "../../ui/shell.module.css";
 import { LazyPart } from "../../ui/LazyPart";
 import bar from "../../ui/toolbar.module.css";
-import { useLabFigures } from "../../lab/recordings";
-import { useCatalogue } from "../../server/useCatalogues";
 import { SharedBanner, Toolbar } from "./afterCurves";
 import { StatusLine } from "./StatusLine";
 import { titleOf } from "../../features/sweep/table";
@@ -31,7 +29,6 @@ function useDeferredWhile<Value>(isLive: boolean, newest: Value): Value {
 }
 
 export function LabMain({ strategies }: { readonly strategies: readonly Strategy[] }) {
-  const [catalogue, figures] = [useCatalogue(), useLabFigures(strategies)];
   const isLive = useLab((state) => state.shown?.source === "live");
   const shown = useDeferredWhile(
     isLive,
@@ -62,11 +59,11 @@ export function LabMain({ strategies }: { readonly strategies: readonly Strategy
           <FromPage />
         </Group>
         <LazyPart>
-          <SharedBanner strategies={strategies} catalogue={catalogue} figures={figures} />
+          <SharedBanner strategies={strategies} />
         </LazyPart>
       </>
     ),
-    [strategies, catalogue, figures],
+    [strategies],
   );
   return (
     <main className={classes.main}>
@@ -82,7 +79,7 @@ export function LabMain({ strategies }: { readonly strategies: readonly Strategy
         />
       </LazyPart>
       <StatusLine position="page" />
-      <Results {...{ strategies, catalogue, figures, resultView }} />
+      <Results {...{ strategies, resultView }} />
     </main>
   );
 }

@@ -3,7 +3,7 @@
 import { memo, useMemo, useState } from "react";
 import { Button, Skeleton, Text } from "@mantine/core";
 import { useIntersection } from "@mantine/hooks";
-import type { Catalogue, FigureTemplate, Strategy } from "../../api/types";
+import type { FigureTemplate, Strategy } from "../../api/types";
 import { PlotGrid, RoadStrip, useShownCurves } from "../../plots/PlotGrid";
 import { useLabContext, useLab } from "../../lab/context";
 import { simulatedPart, type ResultView } from "../../lab/resultView";
@@ -22,21 +22,18 @@ import {
   Tables,
   VerdictLine,
 } from "./afterCurves";
-import { metricsOf } from "../../server/metrics";
+import { useLabFigures } from "../../lab/recordings";
+import { useCatalogue } from "../../server/useCatalogues";
 import { getAt } from "../../scenario/path";
 import { useCurves } from "../../plots/useDetail";
 import { Note } from "../../ui/Messages";
 
-type Figures = Readonly<Record<string, FigureTemplate>>;
-
 interface Props {
   readonly strategies: readonly Strategy[];
-  readonly catalogue: Catalogue;
-  readonly figures: Figures;
   readonly resultView: ResultView | null;
 }
 
-export const Results = memo(function Results({ strategies, catalogue, figures, resultView }: Props) {
+export const Results = memo(function Results({ strategies, resultView }: Props) {
   const failure = useLab((state) => state.failure);
   const none = useLab((state) => state.strategies.length === 0);
   const shown = useLab((state) => state.shown !== null);
@@ -59,14 +56,14 @@ export const Results = memo(function Results({ strategies, catalogue, figures, r
       data-source={resultView.shown.source}
       data-run={resultView.shown.runId ?? undefined}
     >
-      <Conclusion resultView={resultView} catalogue={catalogue} />
+      <Conclusion resultView={resultView} />
       {resultView.shown.missing === null ? (
-        <Histories {...{ resultView, catalogue, figures }} />
+        <Histories {...{ strategies, resultView }} />
       ) : (
         <>
           <LazyPart>
-            <Tables resultView={resultView} catalogue={catalogue} figures={figures} />
-            <Requirements resultView={resultView} catalogue={catalogue} figures={figures} />
+            <Tables resultView={resultView} />
+            <RequirementsCard resultView={resultView} />
           </LazyPart>
           <NoHistories reason={resultView.shown.missing} />
         </>
@@ -75,23 +72,16 @@ export const Results = memo(function Results({ strategies, catalogue, figures, r
   );
 });
 
-function Requirements({ resultView, catalogue, figures }: PartProps) {
-  const metrics = useMemo(() => metricsOf(catalogue, figures), [catalogue, figures]);
-  return <RequirementsCard resultView={resultView} figures={metrics} />;
-}
-
 interface PartProps {
   readonly resultView: ResultView;
-  readonly catalogue: Catalogue;
-  readonly figures: Figures;
 }
 
-const Conclusion = memo(function Conclusion({ resultView, catalogue }: Omit<PartProps, "figures">) {
+const Conclusion = memo(function Conclusion({ resultView }: PartProps) {
   return (
     <>
       <LazyPart fallback={<Skeleton h={60} radius={8} />}>
-        <VerdictLine resultView={simulatedPart(resultView)} catalogue={catalogue} />
-        <ChangeChips resultView={simulatedPart(resultView)} catalogue={catalogue} />
+        <VerdictLine resultView={simulatedPart(resultView)} />
+        <ChangeChips resultView={simulatedPart(resultView)} />
       </LazyPart>
       <RoadsNote resultView={resultView} />
       <RecordingNotes resultView={resultView} />
@@ -103,7 +93,10 @@ const Conclusion = memo(function Conclusion({ resultView, catalogue }: Omit<Part
   );
 });
 
-const CarOnRoad = memo(function CarOnRoad({ resultView, figures: { road } }: Omit<PartProps, "catalogue">) {
+const CarOnRoad = memo(function CarOnRoad({
+  resultView,
+  road,
+}: PartProps & { readonly road: FigureTemplate | undefined }) {
   return (
     <>
       <LazyPart fallback={<Skeleton h={167} radius={8} />}>
@@ -114,21 +107,20 @@ const CarOnRoad = memo(function CarOnRoad({ resultView, figures: { road } }: Omi
   );
 });
 
-const Numbers = memo(function Numbers({ resultView, catalogue, figures }: PartProps) {
-  const meta = Object.values(figures)[0]?.layout.meta;
+const Numbers = memo(function Numbers({ resultView }: PartProps) {
   return (
     <LazyPart fallback={<Skeleton h={400} radius={8} />}>
-      {meta && <StageLegend resultView={resultView} catalogue={catalogue} meta={meta} />}
-      <Tables resultView={resultView} catalogue={catalogue} figures={figures} />
-      <Requirements resultView={resultView} catalogue={catalogue} figures={figures} />
+      <StageLegend resultView={resultView} />
+      <Tables resultView={resultView} />
+      <RequirementsCard resultView={resultView} />
     </LazyPart>
   );
 });
 
-const Responses = memo(function Responses({ resultView, catalogue }: Omit<PartProps, "figures">) {
+const Responses = memo(function Responses({ resultView }: PartProps) {
   return (
     <LazyPart>
-      <FrequencyPart {...{ resultView, catalogue }} />
+      <FrequencyPart resultView={resultView} />
     </LazyPart>
   );
 });
@@ -142,7 +134,8 @@ function useInSight(newest: ResultView) {
   return [ref, shown] as const;
 }
 
-const Histories = memo(function Histories({ resultView, catalogue, figures }: PartProps) {
+const Histories = memo(function Histories({ strategies, resultView }: PartProps & Pick<Props, "strategies">) {
+  const [catalogue, figures] = [useCatalogue(), useLabFigures(strategies)];
   const [ride, rest] = useMemo(() => {
     const drawn = Object.entries(figures).flatMap(([name, template]) => (name === "road" ? [] : [template]));
     const isRide = ({ layout }: FigureTemplate) => catalogue.paper_signals.includes(layout.meta.signal);
@@ -153,14 +146,14 @@ const Histories = memo(function Histories({ resultView, catalogue, figures }: Pa
   const [responsesRef, responses] = useInSight(resultView);
   return (
     <>
-      <CarOnRoad resultView={resultView} figures={figures} />
+      <CarOnRoad resultView={resultView} road={figures.road} />
       <PlotGrid templates={ride} curves={curves} />
       <div ref={numbersRef} className={classes.results}>
-        <Numbers resultView={numbers} catalogue={catalogue} figures={figures} />
+        <Numbers resultView={numbers} />
       </div>
       <PlotGrid templates={rest} curves={curves} />
       <div ref={responsesRef}>
-        <Responses resultView={responses} catalogue={catalogue} />
+        <Responses resultView={responses} />
       </div>
     </>
   );

@@ -1,7 +1,7 @@
 /** What the shading and the lines behind the curves mean. */
 
 import { Group } from "@mantine/core";
-import type { Catalogue, FigureMeta } from "../../api/types";
+import { useCatalogue, useFigures } from "../../server/useCatalogues";
 import { layersOf } from "../../plots/curves";
 import { stagedStrategy } from "../../plots/shapes";
 import { useCurves } from "../../plots/useDetail";
@@ -14,14 +14,10 @@ import ui from "../../ui/ui.module.css";
 /** A swatch is small: the shading three times over, so that it can be told apart. */
 const layered = (fill = "transparent") => Array<string>(3).fill(`linear-gradient(${fill}, ${fill})`).join(", ");
 
-interface Props {
-  readonly resultView: ResultView;
-  readonly catalogue: Catalogue;
-  readonly meta: FigureMeta;
-}
-
-export function StageLegend({ resultView, catalogue, meta }: Props) {
-  const stages = catalogue.stages.filter(({ key }) => key in meta.stage_fills);
+export function StageLegend({ resultView }: { readonly resultView: ResultView }) {
+  const catalogue = useCatalogue();
+  const meta = Object.values(useFigures())[0]?.layout.meta;
+  const stages = catalogue.stages.filter(({ key }) => key in (meta?.stage_fills ?? {}));
   const staged = resultView.strategies.find(({ id }) => id === stagedStrategy(resultView.summaries, resultView.ids));
   const airborne = resultView.ids.some((id) => Number(resultView.summaries[id]?.events.airborne_ms ?? 0) > 0);
   const hasBand = useCurves(resultView).roads !== undefined && !resultView.differences;
@@ -46,11 +42,11 @@ export function StageLegend({ resultView, catalogue, meta }: Props) {
         ))}
       {stages.map(({ key, label, description }) => (
         <span key={key} title={description}>
-          <span className={ui.area} style={{ background: layered(meta.stage_fills[key]) }} /> {label}
+          <span className={ui.area} style={{ background: layered(meta?.stage_fills[key]) }} /> {label}
         </span>
       ))}
       <span>
-        <span className={classes.dashes} style={{ borderTopColor: meta.neutral }} /> limit, static load or target
+        <span className={classes.dashes} style={{ borderTopColor: meta?.neutral }} /> limit, static load or target
       </span>
       {layers.map(({ name, line }, index) => (
         <span key={index} data-layer={name}>

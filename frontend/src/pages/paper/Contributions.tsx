@@ -8,7 +8,7 @@ import { typeset, spreadOf } from "./numbers";
 import classes from "./paper.module.css";
 import { attributionQuery } from "./queries";
 import { Fault, Waiting } from "./Waiting";
-import type { Labels } from "./labels";
+import type { Labels } from "../../server/labels";
 import type { Attribution } from "../../api/types";
 import { formatPercent } from "../../features/tables/change";
 import changes from "../../features/tables/tables.module.css";

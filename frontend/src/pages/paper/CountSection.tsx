@@ -20,7 +20,7 @@ import {
 } from "./Verdict";
 import { type Choices, withSet } from "./choices";
 import { typeset } from "./numbers";
-import type { Labels } from "./labels";
+import type { Labels } from "../../server/labels";
 import { Fault } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";

@@ -22,7 +22,7 @@ import { SwitchEffects } from "./SwitchEffects";
 import { Switches } from "./Switches";
 import { Tables } from "./Tables";
 import { Fault, Waiting } from "./Waiting";
-import { useLabels, type Labels } from "./labels";
+import { useLabels, type Labels } from "../../server/labels";
 import { FileMenu } from "../../features/export/FileMenu";
 import { ShareAddress } from "../../features/share/ShareAddress";
 import ui from "../../ui/ui.module.css";

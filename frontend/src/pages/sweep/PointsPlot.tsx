@@ -8,7 +8,7 @@ import { isFinal } from "../../jobs/follow";
 import { Chart } from "../../plots/Chart";
 import { ChartButton } from "../../plots/FigureButton";
 import { ON_PAPER, PALETTES } from "../../plots/palettes";
-import { useLightColours } from "../../server/useCatalogues";
+import { useCatalogue, useLightColours } from "../../server/useCatalogues";
 import { count, formatWhole, formatWithUnit } from "../../units/format";
 import { axesOf, type AxisOf, cell, pointsOf, type Columns, showCell } from "../../features/sweep/table";
 import classes from "./sweep.module.css";
@@ -20,7 +20,7 @@ import { scatterFigure } from "./scatter";
 import type { ShownPlot, PlotParts, SweepParts } from "./shownPlot";
 import ui from "../../ui/ui.module.css";
 
-interface Props extends PlotParts, Pick<SweepParts, "catalogue" | "markers" | "best"> {
+interface Props extends PlotParts, Pick<SweepParts, "markers" | "best"> {
   /** Those switched on. */
   readonly visible: readonly Strategy[];
 }
@@ -30,7 +30,6 @@ const NONE: readonly number[] = [];
 export function PointsPlot({
   batch,
   columns,
-  catalogue,
   strategies,
   visible,
   markers,
@@ -40,6 +39,7 @@ export function PointsPlot({
   textOf,
   onOpen,
 }: Props) {
+  const catalogue = useCatalogue();
   const palette = PALETTES[useComputedColorScheme("light")];
   const host = useRef<HTMLDivElement>(null);
   const [ownPoints, setOwnPoints] = useState(false);

@@ -19,6 +19,7 @@ import {
 import { CAVEAT_COLUMNS, describeRow, fieldTexts } from "./describeRow";
 import { useOpenRun } from "../../features/sweep/useOpenRun";
 import { shownPlot, type SweepParts } from "./shownPlot";
+import { useCatalogue } from "../../server/useCatalogues";
 import { Fault } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
 import { Card } from "../../ui/Card";
@@ -33,16 +34,14 @@ import { limitText } from "../../features/requirements/judged";
 import { ResultMark } from "../../features/requirements/RequirementMarks";
 import { DataTable, type Column } from "../../ui/DataTable";
 
-interface Props extends Pick<
-  SweepParts,
-  "batch" | "catalogue" | "strategies" | "markers" | "figures" | "view" | "onView"
-> {
+interface Props extends Pick<SweepParts, "batch" | "strategies" | "markers" | "figures" | "view" | "onView"> {
   readonly form: Group;
 }
 
 const NOTHING: Columns = {};
 
-export function BatchResults({ batch: stored, form, catalogue, strategies, markers, figures, view, onView }: Props) {
+export function BatchResults({ batch: stored, form, strategies, markers, figures, view, onView }: Props) {
+  const catalogue = useCatalogue();
   // Every event is a new batch: what is drawn depends on its fields alone, which stay.
   const { fields: storedFields, sweep } = stored;
   const fields = useMemo(() => shownFields(storedFields, form), [storedFields, form]);
@@ -104,10 +103,7 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
     <div className={ui.stack} data-testid="batch-results" data-rows={columns.run?.length ?? 0}>
       {table.isError && <Fault size="md">The rows could not be read: {table.error.message}</Fault>}
       {opening.error !== null && <Fault size="md">This run could not be opened: {opening.error}</Fault>}
-      <BatchPlot
-        {...{ batch, columns, catalogue, strategies, markers, figures, shown, view, best, onView }}
-        onOpen={open}
-      />
+      <BatchPlot {...{ batch, columns, strategies, markers, figures, shown, view, best, onView }} onOpen={open} />
       {required && (
         <BatchRequirements
           results={required.requirement_results}
@@ -116,7 +112,7 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
         />
       )}
       <BatchRows
-        {...{ batch, columns, catalogue, strategies, markers, best }}
+        {...{ batch, columns, strategies, markers, best }}
         loading={table.isPending || fetched !== arrived}
         figures={listed}
         opening={opening.opening?.run ?? null}
@@ -129,19 +125,8 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
 const HEIGHT = 400;
 
 /** The plot of a sweep: curves over a field, a map over two, or one metric against another. */
-function BatchPlot({
-  batch,
-  columns,
-  catalogue,
-  strategies,
-  markers,
-  figures,
-  shown,
-  view,
-  best,
-  onView,
-  onOpen,
-}: SweepParts) {
+function BatchPlot({ batch, columns, strategies, markers, figures, shown, view, best, onView, onOpen }: SweepParts) {
+  const catalogue = useCatalogue();
   const visible = useMemo(() => strategies.filter(({ id }) => !view.hidden.includes(id)), [strategies, view.hidden]);
   const { fields } = batch;
   const { y } = shown;
@@ -156,7 +141,7 @@ function BatchPlot({
       {shown.kind === "map" ? (
         <MapPlot {...common} />
       ) : (
-        <PointsPlot key={shown.kind} {...common} {...{ catalogue, visible, markers, best }} />
+        <PointsPlot key={shown.kind} {...common} {...{ visible, markers, best }} />
       )}
     </Card>
   );

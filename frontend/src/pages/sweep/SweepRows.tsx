@@ -22,11 +22,12 @@ import { Card } from "../../ui/Card";
 import { DataTable, type Column } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
 import { CaveatMark } from "../../features/tables/ChangeMark";
+import { useCatalogue } from "../../server/useCatalogues";
 import type { SweepParts } from "./shownPlot";
 
 interface Props extends Pick<
   SweepParts,
-  "batch" | "columns" | "catalogue" | "strategies" | "markers" | "figures" | "best" | "onOpen"
+  "batch" | "columns" | "strategies" | "markers" | "figures" | "best" | "onOpen"
 > {
   readonly loading: boolean;
   /** The row whose run is being opened. */
@@ -169,7 +170,8 @@ function Run({ columns, row, best, opening, onOpen }: CellProps) {
   );
 }
 
-function Driven({ columns, catalogue, strategies, markers, row }: CellProps) {
+function Driven({ columns, strategies, markers, row }: CellProps) {
+  const catalogue = useCatalogue();
   const strategy = strategies.find(({ id }) => id === cell(columns, "strategy", row));
   return (
     <span className={ui.named}>

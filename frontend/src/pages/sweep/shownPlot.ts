@@ -1,6 +1,6 @@
 /** What a sweep's plot shows: the address's wishes where they can be met, and what suits the sweep elsewhere. */
 
-import type { Batch, Strategy, StrategyId, Catalogue } from "../../api/types";
+import type { Batch, Strategy, StrategyId } from "../../api/types";
 import { axesOf, type AxisOf, type Columns } from "../../features/sweep/table";
 import { OPENING_METRIC, type Metric } from "../../server/metrics";
 import { NONE, type BatchView, type PlotKind } from "./view";
@@ -59,7 +59,6 @@ export function shownPlot(
 export interface SweepParts {
   readonly batch: Batch;
   readonly columns: Columns;
-  readonly catalogue: Catalogue;
   /** The batch's, in the catalogue's order. */
   readonly strategies: readonly Strategy[];
   readonly markers: Markers;

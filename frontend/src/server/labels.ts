@@ -1,16 +1,14 @@
 /** What strategies, signals and windows are called and shown in: the catalogue's words, in one hand. */
 
 import { useMemo } from "react";
-import type { Catalogue, FigureTemplate, Strategy } from "../../api/types";
-import { useCatalogue, useFigures, useStrategies } from "../../server/useCatalogues";
-import { headingOf } from "../../features/tables/ComparisonTable";
-import type { WindowView } from "../../features/tables/entries";
-import { shownUnit } from "../../server/metrics";
-import type { ShownUnit } from "../../units/quantity";
-import { prettyUnit } from "../../units/format";
+import type { Catalogue, FigureTemplates, Strategy } from "../api/types";
+import { shownUnit } from "./metrics";
+import { useCatalogue, useFigures, useStrategies } from "./useCatalogues";
+import type { ShownUnit } from "../units/quantity";
+import { prettyUnit } from "../units/format";
 
 export interface Labels {
-  readonly strategies: readonly Strategy[];
+  readonly catalogue: Catalogue;
   readonly strategy: (id: string) => string;
   readonly signal: (key: string) => string;
   /** The unit a signal is shown in, ready to read, and the factor to it. */
@@ -21,23 +19,18 @@ export interface Labels {
   readonly figure: (key: string) => string;
 }
 
-type Labelled = readonly { readonly key: string; readonly label: string; readonly unit: string }[];
-
-function wordsOf(
-  catalogue: Catalogue,
-  strategies: readonly Strategy[],
-  templates: Readonly<Record<string, FigureTemplate>>,
-): Labels {
-  const label = (list: Labelled, key: string) => list.find((entry) => entry.key === key)?.label ?? key;
+function labelsOf(catalogue: Catalogue, strategies: readonly Strategy[], templates: FigureTemplates): Labels {
+  const label = (list: Catalogue["signals"], key: string) => list.find((entry) => entry.key === key)?.label ?? key;
   return {
-    strategies,
+    catalogue,
     strategy: (id) => strategies.find((strategy) => strategy.id === id)?.label ?? id,
     signal: (key) => label(catalogue.signals, key),
     unit: (key) => {
       const { unit, scale } = shownUnit(key, templates, catalogue);
       return { unit: prettyUnit(unit), scale };
     },
-    view: (view) => headingOf(view as WindowView, catalogue),
+    view: ({ window, statistic }) =>
+      `${label(catalogue.statistics, statistic)}, ${label(catalogue.windows, window).toLowerCase()}`,
     figure: (key) => {
       const quantity = [...catalogue.comfort, ...catalogue.run_figures].find((entry) => entry.key === key);
       return quantity ? `${quantity.label} [${prettyUnit(quantity.unit)}]` : key;
@@ -47,5 +40,5 @@ function wordsOf(
 
 export function useLabels(): Labels {
   const [catalogue, strategies, templates] = [useCatalogue(), useStrategies(), useFigures()];
-  return useMemo(() => wordsOf(catalogue, strategies, templates), [catalogue, strategies, templates]);
+  return useMemo(() => labelsOf(catalogue, strategies, templates), [catalogue, strategies, templates]);
 }
