@@ -139,6 +139,8 @@ function between(
 interface Score {
   readonly best: number;
   readonly behind: number;
+  /** On one road: in how many all have the same digits. */
+  readonly equal: number;
   readonly of: number;
 }
 
@@ -153,6 +155,7 @@ export function scoreOf(compared: Compared, catalogue: Signals, leader: Strategy
   return {
     best: count((each) => each.every((verdict) => verdict === "worse")),
     behind: count((each) => each.includes("better")),
+    equal: compared.shown.over ? 0 : count((each) => each.every((verdict) => verdict === "same")),
     of: verdicts.length,
   };
 }
@@ -182,10 +185,9 @@ function speedText(compared: Compared, leader: Strategy, rival: Strategy): strin
 
 /** The change, and how sure it is; one that may be luck is none. */
 function changeText({ percent, half, verdict }: Change, { shown: { over } }: Compared, oneRoadNoise: number): string {
-  const hasLuck = over !== null || oneRoadNoise > 0;
-  if (percent === null || verdict === "luck" || verdict === "same")
-    return `no different${hasLuck ? " beyond luck" : ""}`;
-  return `${formatPercent(percent, half)}${over || !hasLuck ? "" : ` (luck ±\u2009${oneRoadNoise.toFixed(0)}\u2009%)`}`;
+  if (verdict === "same" && !over) return "no different";
+  if (percent === null || verdict === "luck" || verdict === "same") return "no different beyond luck";
+  return `${formatPercent(percent, half)}${over || oneRoadNoise === 0 ? "" : ` (luck ±\u2009${oneRoadNoise.toFixed(0)}\u2009%)`}`;
 }
 
 interface Sentence {
@@ -206,10 +208,14 @@ export function sentenceOf(
   const metric = headlineOf(compared.summaries[leader.id]);
   const change = between(compared, [leader, rival], metric, paired);
   if (score === null || change === null) return null;
-  const { best, behind, of } = score;
-  const luck = of - best - behind;
+  const { best, behind, equal, of } = score;
+  const luck = of - best - behind - equal;
   const lead = best > 0 ? `${leader.label} is best in ${best} of ${of} metrics` : `No clear winner in ${of} metrics`;
-  const remainder = [behind > 0 && `behind in ${behind}`, luck > 0 && `within luck in ${luck}`].filter(Boolean);
+  const remainder = [
+    behind > 0 && `behind in ${behind}`,
+    equal > 0 && `equal in ${equal}`,
+    luck > 0 && `within luck in ${luck}`,
+  ].filter(Boolean);
   const name = catalogue.signals.find(({ key }) => key === metric.signal)?.label.toLowerCase() ?? metric.signal;
   const figure = metric.window === "bump" ? `Peak ${name} on the bump` : `RMS ${name} on the rough road`;
   const size = changeText(change, compared, oneRoadNoiseOf([leader, rival], metric, [compared.shown.scenario]));

@@ -42,7 +42,7 @@ const sentence = (of: typeof ONE_ROAD, paired: PairedAgainst = {}) => {
 
 describe("the verdict on one road", () => {
   it("counts a metric as won only where the difference to every other is more than luck", () => {
-    expect(scoreOf(ONE_ROAD, CATALOGUE, LV, {})).toEqual({ best: 2, behind: 0, of: 4 });
+    expect(scoreOf(ONE_ROAD, CATALOGUE, LV, {})).toEqual({ best: 2, behind: 0, equal: 0, of: 4 });
     expect(sentence(ONE_ROAD)).toBe(
       "LV is best in 2 of 4 metrics, within luck in 2. Peak body acceleration on the bump −83.3\u2009% " +
         "(luck ±\u200915\u2009%) against Passive, at 22.5 instead of 50.0 km/h.",
@@ -51,7 +51,7 @@ describe("the verdict on one road", () => {
 
   it("says where another is better for sure", () => {
     const behind = compared({ lv: summary([1, 1, 1, 2], 20), lqr: summary([2, 2, 2, 1], 20) });
-    expect(scoreOf(behind, CATALOGUE, LV, {})).toEqual({ best: 3, behind: 1, of: 4 });
+    expect(scoreOf(behind, CATALOGUE, LV, {})).toEqual({ best: 3, behind: 1, equal: 0, of: 4 });
     expect(sentence(behind)).toContain("LV is best in 3 of 4 metrics, behind in 1.");
     expect(sentence(behind)).toContain("all at 20.0 km/h");
   });
@@ -60,6 +60,14 @@ describe("the verdict on one road", () => {
     const alike = compared({ lv: summary([1, 1, 1, 1], 20), lqr: summary([1.05, 1.05, 1.1, 1.1], 20) });
     expect(sentence(alike)).toBe(
       "No clear winner in 4 metrics, within luck in 4. Peak body acceleration on the bump LV no different beyond luck " +
+        "against LQR, all at 20.0 km/h.",
+    );
+  });
+
+  it("says where strategies are equal", () => {
+    const same = compared({ lv: summary([1, 1, 1, 1], 20), lqr: summary([1, 1, 1, 1.05], 20) });
+    expect(sentence(same)).toBe(
+      "No clear winner in 4 metrics, equal in 3, within luck in 1. Peak body acceleration on the bump LV no different " +
         "against LQR, all at 20.0 km/h.",
     );
   });
