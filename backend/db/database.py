@@ -13,9 +13,10 @@ from functools import partial
 from importlib import import_module
 from typing import Any, ParamSpec, TypeVar
 
-from sqlalchemy import Connection, ExceptionContext, Table, event, inspect, make_url, select, text
+from sqlalchemy import Connection, ExceptionContext, Row, Select, Table, event, inspect, make_url, select, text
 from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
 
+from backend.db.checksum import check
 from backend.db.clock import Now
 from backend.db.commits import Commits
 from backend.db.migrations import REVISIONS, upgrade
@@ -248,6 +249,14 @@ class RowStore:
 
     def __init__(self, database: Database) -> None:
         self._database = database
+
+    def _checked(self, table: Table, query: Select[Any], what: str) -> Sequence[Row[Any]]:
+        """The table's rows that the query finds, each as it was written; `what` is as in `check`."""
+        with self._database.reading() as connection:
+            rows = connection.execute(query).all()
+        for row in rows:
+            check(table, row, what)
+        return rows
 
 
 class _RetryingThreads:

@@ -13,7 +13,7 @@ from typing import Any
 from sqlalchemy import ColumnElement, Connection, Row, Select, and_, case, delete, func, insert, or_, select, update
 from sqlalchemy.exc import IntegrityError
 
-from backend.db.checksum import UNCHECKED, check, update_row
+from backend.db.checksum import UNCHECKED, update_row
 from backend.db.clock import UNSTORED, Now
 from backend.db.database import RowStore, insert_new
 from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, trials
@@ -265,11 +265,10 @@ class JobStore(RowStore):
         return True
 
     def _one(self, query: Select[Any]) -> StoredJob | None:
-        with self._database.reading() as connection:
-            row = connection.execute(query).one_or_none()
-        if row is None:
+        rows = self._checked(jobs, query, "job")
+        if not rows:
             return None
-        check(jobs, row, "job")
+        (row,) = rows
         if row.state not in (*UNFINISHED, *FINAL):
             raise DamagedError("job")
         return _job(row)

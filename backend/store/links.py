@@ -7,7 +7,7 @@ from typing import Literal
 
 from sqlalchemy import Connection, select
 
-from backend.db.checksum import check, is_intact
+from backend.db.checksum import is_intact
 from backend.db.clock import UNSTORED
 from backend.db.database import RowStore, insert_new
 from backend.db.tables import EXPIRED, REMOVED, jobs, links, pinned_series, results, run_results
@@ -54,11 +54,10 @@ class LinkStore(RowStore):
 
     def load(self, slug: str) -> StoredLink | None:
         """The link of that slug, if there is one."""
-        with self._database.reading() as connection:
-            row = connection.execute(select(links).where(links.c.slug == slug)).one_or_none()
-        if row is None:
+        rows = self._checked(links, select(links).where(links.c.slug == slug), "link")
+        if not rows:
             return None
-        check(links, row, "link")
+        (row,) = rows
         return StoredLink(
             slug=row.slug,
             kind=row.kind,

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from sqlalchemy import select
 
-from backend.db.checksum import check, update_row
+from backend.db.checksum import update_row
 from backend.db.clock import Now
 from backend.db.database import RowStore, insert_new
 from backend.db.tables import recordings
@@ -23,11 +23,7 @@ class RecordingStore(RowStore):
 
     def load(self, ids: Iterable[str]) -> dict[str, RecordedDrive]:
         """The stored ones of these recordings, by id."""
-        query = select(recordings).where(recordings.c.id.in_(list(ids)))
-        with self._database.reading() as connection:
-            rows = connection.execute(query).all()
-        for row in rows:
-            check(recordings, row, "recording")
+        rows = self._checked(recordings, select(recordings).where(recordings.c.id.in_(list(ids))), "recording")
         return {
             row.id: RecordedDrive(id=row.id, samples=row.samples, keys=row.signals, content=row.content) for row in rows
         }

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 
 from sqlalchemy import select
 
-from backend.db.checksum import check, update_row
+from backend.db.checksum import update_row
 from backend.db.clock import Now
 from backend.db.database import RowStore, insert_new
 from backend.db.tables import roads
@@ -43,18 +43,10 @@ class RoadStore(RowStore):
 
     def analysis(self, road_id: str) -> JsonObject:
         """What was said of the first file of the stored road; empty where that was before roads were analysed."""
-        with self._database.reading() as connection:
-            row = connection.execute(select(roads).where(roads.c.id == road_id)).one_or_none()
-        if row is None:
-            return {}
-        check(roads, row, "measured road")
-        return row.analysis or {}
+        rows = self._checked(roads, select(roads).where(roads.c.id == road_id), "measured road")
+        return (rows[0].analysis if rows else None) or {}
 
     def load(self, ids: Iterable[str]) -> dict[str, MeasuredRoad]:
         """The stored ones of these roads, by id."""
-        query = select(roads).where(roads.c.id.in_(list(ids)))
-        with self._database.reading() as connection:
-            rows = connection.execute(query).all()
-        for row in rows:
-            check(roads, row, "measured road")
+        rows = self._checked(roads, select(roads).where(roads.c.id.in_(list(ids))), "measured road")
         return {row.id: MeasuredRoad(id=row.id, samples=row.samples, content=row.content) for row in rows}

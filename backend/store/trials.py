@@ -5,7 +5,6 @@ from typing import Any, Literal
 
 from sqlalchemy import Row, select
 
-from backend.db.checksum import check
 from backend.db.database import RowStore
 from backend.db.tables import trials
 from backend.json_types import JsonObject
@@ -36,11 +35,7 @@ class TrialStore(RowStore):
     def of(self, job_id: str) -> list[StoredTrial]:
         """Every trial of a tuning, in order."""
         query = select(trials).where(trials.c.job_id == job_id).order_by(trials.c.number)
-        with self._database.reading() as connection:
-            rows = connection.execute(query).all()
-        for row in rows:
-            check(trials, row, "tuning")
-        return [_trial(row) for row in rows]
+        return [_trial(row) for row in self._checked(trials, query, "tuning")]
 
 
 def _trial(row: Row[Any]) -> StoredTrial:
