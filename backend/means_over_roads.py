@@ -10,9 +10,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from backend.intervals import Interval, changes_with_intervals, means_with_intervals
-from sim_core import PredictiveController
+from sim_core import PredictiveController, Scenario
 from sim_core.catalogue import PEAK, RMS
-from sim_core.scenario import Scenario
 from sim_core.strategies import strategies
 
 MAX_ROADS = 50

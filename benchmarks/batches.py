@@ -18,8 +18,7 @@ from backend.compute.workers import BATCH_NICE
 from backend.scenario_at import scenario_at
 from benchmarks.api_latency import TOGETHER, server, timed
 from benchmarks.timing import table
-from sim_core.scenario import Scenario
-from sim_core.simulate import simulate
+from sim_core import Scenario, simulate
 
 FEW, MANY, SMALL = 1000, 10_000, 4
 SAMPLE = 300  # runs that tell the core's own rate

@@ -10,14 +10,13 @@ import numpy as np
 from backend.compute.processes import keep_freed_memory
 from benchmarks import plain_osqp_loop
 from benchmarks.timing import fresh_process, median_ms, peak_memory_mb, table
-from sim_core import Controller, load_controllers
+from sim_core import Controller, Scenario, load_controllers
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.frequency.responses import frequency_response
 from sim_core.instant import instant
 from sim_core.metrics.recorder import make_recorder
 from sim_core.metrics.windows import windows_of
 from sim_core.road.profile import grid_samples
-from sim_core.scenario import Scenario
 from sim_core.scenario.presets import preset
 from sim_core.simulate import prepare, simulate
 

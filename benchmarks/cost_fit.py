@@ -9,8 +9,7 @@ from scipy.optimize import least_squares, nnls
 from backend.cost.binding_limits import LimitShares, bump_share, combine, limit_terms
 from backend.cost.estimate import SECONDS, expected_time, work
 from benchmarks.cost import Measured, drawn, measure
-from sim_core.arrays import FloatArray
-from sim_core.strategies import STRATEGIES
+from sim_core import STRATEGIES, FloatArray
 
 FITTED = 2  # seed of the draws: none is fitted that is judged
 SHARE = 0.01  # added to shares before their logarithm: smaller differences do not count

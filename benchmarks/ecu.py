@@ -13,10 +13,9 @@ import numpy as np
 from backend.controller import effort, firmware
 from backend.controller.link import ProcessEcu, connected
 from benchmarks.cortex_m3 import CortexM3
+from sim_core import Mpc, Scenario, simulate
 from sim_core.ecu.calibration import Calibration, Checked
 from sim_core.ecu.interface import Ecu, Frame, Reply
-from sim_core.scenario import Mpc, Scenario
-from sim_core.simulate import simulate
 from sim_core.strategies.calibration import ecu_calibration
 from sim_core.strategies.lv_hil import LvHil
 

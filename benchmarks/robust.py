@@ -19,11 +19,10 @@ from scipy.stats import qmc
 
 from backend.batches.robustness import UNCERTAINTIES
 from backend.compute.processes import keep_freed_memory
-from sim_core.arrays import FloatArray
+from sim_core import FloatArray, simulate
 from sim_core.catalogue import METRICS, PAPER_METRICS
 from sim_core.scenario import Scenario, dotted
 from sim_core.scenario.presets import preset
-from sim_core.simulate import simulate
 
 SHARE = 0.9  # of the points: a lead counts where so many of them have it
 LOSSES = 2  # of the eight metrics, in which an LQR with the same preview may be as good

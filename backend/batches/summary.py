@@ -26,11 +26,9 @@ from backend.cost.affordable import simulate
 from backend.json_types import JsonObject, Summary
 from backend.own import isolated
 from backend.scenario_at import NO_ROADS, scenario_at
-from sim_core.arrays import FloatArray
+from sim_core import FloatArray, RidelabError, Scenario
 from sim_core.controller_files import ControllerFileError
-from sim_core.errors import RidelabError
 from sim_core.frequency.stability import least_damping
-from sim_core.scenario import Scenario
 from sim_core.scenario.measured import MeasuredRoad
 
 QUANTILES = (0, 5, 25, 50, 75, 95, 100)  # percentiles, numpy's "linear" method: between two values by distance

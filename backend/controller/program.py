@@ -8,8 +8,7 @@ from pathlib import Path
 from backend.controller.link import connected
 from backend.controller.realtime import changes
 from backend.cost import affordable
-from sim_core.scenario import Scenario
-from sim_core.simulate import simulate
+from sim_core import Scenario, simulate
 from sim_core.strategies.lv_hil import LvHil
 
 

@@ -16,12 +16,10 @@ from backend.controller.link import ProcessEcu, connected
 from backend.controller.models import ChangesByWindow, RealtimeReport, Times
 from backend.cost import affordable
 from backend.errors import EcuUnavailableError
+from sim_core import Scenario, StrategyResult, simulate
 from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.interface import Ecu, Frame, Reply
-from sim_core.result import StrategyResult
-from sim_core.scenario import Scenario
-from sim_core.simulate import simulate
 from sim_core.strategies.lv_hil import LvHil
 
 LONGEST = 60.0  # a drive may take [s]

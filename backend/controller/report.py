@@ -13,11 +13,9 @@ from backend.controller.realtime import changes
 from backend.cost import affordable
 from backend.cost.estimate import check_affordable
 from backend.errors import EcuUnavailableError
+from sim_core import Scenario, StrategyResult, simulate
 from sim_core.ecu.calibration import Calibration, Checked
 from sim_core.ecu.interface import Ecu
-from sim_core.result import StrategyResult
-from sim_core.scenario import Scenario
-from sim_core.simulate import simulate
 from sim_core.strategies.calibration import ecu_calibration
 from sim_core.strategies.lv_hil import LvHil
 

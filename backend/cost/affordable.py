@@ -3,9 +3,8 @@
 from backend.compute.processes import trim_memory
 from backend.cost.estimate import check_affordable
 from backend.own import isolated
+from sim_core import Scenario, StrategyResult
 from sim_core.caching import SHARED
-from sim_core.result import StrategyResult
-from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import recording_id
 from sim_core.simulate import simulate as simulate_core
 

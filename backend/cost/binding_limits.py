@@ -13,10 +13,8 @@ from math import log, pi, sqrt
 
 import numpy as np
 
-from sim_core import Controller, PredictiveController
-from sim_core.arrays import FloatArray
+from sim_core import Controller, FloatArray, PredictiveController, Scenario
 from sim_core.road.profile import REFERENCE_FREQUENCY
-from sim_core.scenario import Scenario
 from sim_core.strategies.suspension_only import SuspensionOnly
 
 MIN_ITERATIONS, MAX_ITERATIONS = 25.0, 2000.0  # of OSQP, for one QP: so often it looks whether it has solved it

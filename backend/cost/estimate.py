@@ -8,12 +8,11 @@ from collections.abc import Iterable, Mapping
 from math import atan, exp, log, sqrt
 
 from backend.cost.binding_limits import LimitShares, expected_limits
-from sim_core import Controller, DampingController, EcuController, PredictiveController
+from sim_core import Actuator, Controller, DampingController, EcuController, PredictiveController, Scenario
 from sim_core.control.qp import osqp_effort
 from sim_core.errors import TooExpensiveError
 from sim_core.loop.excitation import StepSizes, longest_fine_step, step_sizes
 from sim_core.loop.run import run_dampers
-from sim_core.scenario import Actuator, Scenario
 from sim_core.scenario.recorded import REFERENCES, recording_id
 from sim_core.speed.brake import BrakeChain
 from sim_core.speed.profile import SPEED_CONTROL_PERIOD, TARGET_BAND, make_speed_profile

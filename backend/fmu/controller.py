@@ -4,16 +4,11 @@ import numpy as np
 
 from backend.controller import export
 from backend.fmu.model import Model, Variable, array, sources
-from sim_core.arrays import FloatArray
-from sim_core.control.controller import Controller
+from sim_core import Controller, EcuController, FloatArray, RidelabError, Scenario, Setup
 from sim_core.control.cost import KILO
 from sim_core.control.law import LAW_INPUTS, LinearLaw
-from sim_core.control.seen import Setup
 from sim_core.ecu.channels import PREVIEW, SENSORS
-from sim_core.ecu.controller import EcuController
 from sim_core.ecu.sources import SOURCES as ECU_SOURCES
-from sim_core.errors import RidelabError
-from sim_core.scenario import Scenario
 from sim_core.simulate import on_any_road, prepare
 from sim_core.strategies import strategy_named
 from sim_core.strategies.lv import Lv

@@ -7,12 +7,10 @@ from pathlib import Path
 from typing import Any, Literal
 
 from backend.json_types import JsonObject
-from sim_core import Controller, DampingController, EcuController, PredictiveController
+from sim_core import Controller, DampingController, EcuController, LinearLaw, PredictiveController, SpeedPlan
 from sim_core.check_controller import declaration_faults
 from sim_core.control.controller import Option, ScenarioField, option_fields
-from sim_core.control.law import LinearLaw
 from sim_core.controller_files import ControllerFileError
-from sim_core.speed.profile import SpeedPlan
 
 LONGEST_LABEL = 80
 _BASES: dict[str, type[Controller]] = {  # the first that it derives from says what its runs cost

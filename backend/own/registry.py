@@ -14,10 +14,8 @@ from typing import Any, TypeVar
 
 from backend.own.description import Description, described, stand_in
 from backend.own.host import Host, SlowFileError
-from sim_core import Controller, controller_files
+from sim_core import STRATEGIES, Controller, RidelabError, controller_files
 from sim_core.controller_files import INSTALLED, ControllerFileError, Signature
-from sim_core.errors import RidelabError
-from sim_core.strategies import STRATEGIES
 
 logger = logging.getLogger(__name__)
 

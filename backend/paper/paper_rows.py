@@ -19,9 +19,8 @@ from backend.outcome import JSON_OPTIONS, Outcome, elapsed_ms
 from backend.paper.attribution import COMFORT_FIGURES, VARIANTS
 from backend.paper.claims import FIGURES, STRATEGIES, WINDOW, figures_by_window, figures_of, scenario_for
 from backend.paper.readings import changes_of
+from sim_core import RidelabError, Road, Scenario, Speed
 from sim_core.catalogue import BUMP, PAPER_SIGNALS, PEAK
-from sim_core.errors import RidelabError
-from sim_core.scenario import Road, Scenario, Speed
 from sim_core.simulate import simulate as simulate_core
 
 ATTRIBUTION, SPEEDS = "attribution", "speeds"  # studies

@@ -8,9 +8,8 @@ import sys
 
 import numpy as np
 
-from sim_core.arrays import FloatArray
+from sim_core import Bump, FloatArray, Road
 from sim_core.road.profile import bump_height, road_profile
-from sim_core.scenario import Bump, Road
 
 FLAT = Bump(height=0)
 HUMP = Bump(shape="circular", height=0.075, width=3.7, start=100)

@@ -12,9 +12,8 @@ from backend.gate import Gate
 from backend.roads import survey
 from backend.roads.models import CreatedRoad, FoundBumpAnswer, RoadAnswer
 from backend.store import Store
-from sim_core.errors import RidelabError
+from sim_core import RidelabError, Scenario
 from sim_core.road.survey import DetectedBump, bumps_in
-from sim_core.scenario import Scenario
 from sim_core.scenario.measured import SPACING, MeasuredRoad
 
 SURVEY_COST = 1.0  # reading the longest file allowed [s of one core]

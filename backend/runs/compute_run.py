@@ -12,9 +12,8 @@ from backend import digest, own
 from backend.cost.affordable import simulate
 from backend.outcome import JSON_OPTIONS, Outcome, elapsed_ms
 from backend.runs.series import pack
+from sim_core import RidelabError, Scenario
 from sim_core.controller_files import ControllerFileError, source_of
-from sim_core.errors import RidelabError
-from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import recording_id
 from sim_core.strategies import strategy_named
 

@@ -9,10 +9,9 @@ from pydantic import AfterValidator, Field, model_validator
 
 from backend.models import Answer, StrategiesRequest, Vector
 from backend.own import isolated
-from sim_core.errors import RidelabError
+from sim_core import RidelabError, Scenario
 from sim_core.frequency import responses
 from sim_core.frequency.responses import DEFAULT_FREQUENCIES, RESPONSES, FrequencyResult, frequency_response
-from sim_core.scenario import Scenario
 
 COST = 0.02  # of one strategy [s of one core]
 Frequency = Annotated[float, Field(ge=0.01, le=200)]

@@ -24,10 +24,9 @@ from backend.runs import bands, exports, pins
 from backend.runs.result_finder import ResultFinder
 from backend.runs.series import SAMPLE_BYTES, SamplingHints, most_samples
 from backend.store import Store, StoredRun
+from sim_core import STRATEGIES, Scenario
 from sim_core import __version__ as CORE_VERSION
-from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import recording_id
-from sim_core.strategies import STRATEGIES
 
 FIGURE_POINTS = 2000
 SHORTER_RUN = "run a shorter road or a higher speed"

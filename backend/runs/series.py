@@ -16,10 +16,9 @@ from numpy.typing import NDArray
 from backend.cost.estimate import duration, samples
 from backend.csv_lines import MAX_LINES
 from backend.json_types import JsonObject
+from sim_core import Scenario, StrategyResult
 from sim_core.catalogue import BUMP, SIGNALS
 from sim_core.kernel.binding import sample_marker
-from sim_core.result import StrategyResult
-from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import recording_id
 from sim_core.strategies import strategies, strategy_named
 

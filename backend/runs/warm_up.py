@@ -6,8 +6,7 @@ Workers that are forked from such a process share its memory, as far as they lea
 import gc
 
 from backend.runs.compute_run import compute
-from sim_core.scenario import Scenario
-from sim_core.strategies import STRATEGIES
+from sim_core import STRATEGIES, Scenario
 
 for _strategy in STRATEGIES:
     compute(Scenario(), _strategy, "")

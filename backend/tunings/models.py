@@ -27,11 +27,10 @@ from backend.tunings.space import (
     tunable_strategies,
 )
 from backend.unknown_names import unknown_name
+from sim_core import Preview, RidelabError
 from sim_core.catalogue import WINDOWS
 from sim_core.check_controller import ID
-from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario, dotted
-from sim_core.scenario.parts import Preview
 
 ADDED = ("previews", "uncertain", "quantile")  # since 0.3.0: left out at their defaults, as requests before had none
 MOST_TRIALS = 5000

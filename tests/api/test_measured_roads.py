@@ -16,8 +16,7 @@ from backend.roads.samples import HUMP as HUMP_OF_STREET
 from backend.roads.samples import POTHOLE, SAMPLES
 from backend.roads.survey import read
 from backend.runs.result_cache import ResultCache
-from sim_core.scenario import Scenario
-from sim_core.simulate import simulate
+from sim_core import Scenario, simulate
 from tests.api.conftest import Service
 from tests.servers.batches import computed
 from tests.servers.batches import rows as rows_of

@@ -13,8 +13,7 @@ from pythonfmu.builder import FmuBuilder
 
 from backend.fmu.archive import fmu
 from backend.own import registry, watch
-from sim_core.scenario import Scenario
-from sim_core.simulate import simulate
+from sim_core import Scenario, simulate
 from tests.api.conftest import Service
 from tests.api.own_laws import LAW, SCENARIO, driven, own, told_of
 from tests.importer import Importer

@@ -20,8 +20,7 @@ from backend.means_over_roads import seeded
 from backend.models import CachedFailure
 from backend.outcome import Outcome
 from backend.runs.result_cache import ResultCache
-from sim_core.scenario import Hil, Lqr, Mpc, Road, Scenario
-from sim_core.strategies import STRATEGIES
+from sim_core import STRATEGIES, Hil, Lqr, Mpc, Road, Scenario
 
 
 def test_a_result_depends_on_what_its_strategy_reads_and_nothing_else() -> None:

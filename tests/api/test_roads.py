@@ -15,9 +15,8 @@ from backend.means_over_roads import seeded
 from backend.runs import bands, histories
 from backend.runs.models import CreatedRun
 from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
+from sim_core import Scenario, simulate
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, SIGNALS, STATISTICS, WINDOWS
-from sim_core.scenario import Scenario
-from sim_core.simulate import simulate
 from tests.api.conftest import Service
 from tests.html import check, read
 

@@ -11,11 +11,8 @@ from backend.digest import run_id
 from backend.models import LiveRun
 from backend.runs.models import CreatedRun, Run
 from backend.store.runs import RunStore
-from sim_core import __version__
+from sim_core import Scenario, StrategyResult, __version__, simulate
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STATISTICS, WINDOWS
-from sim_core.result import StrategyResult
-from sim_core.scenario import Scenario
-from sim_core.simulate import simulate
 from tests.api.conftest import Service
 
 lengths = itertools.count(1)

@@ -16,9 +16,8 @@ from backend.app import create_app
 from backend.settings import Settings
 from ridelab import Ridelab
 from ridelab.cli.service import Services
+from sim_core import Scenario, simulate
 from sim_core import __version__ as CORE_VERSION
-from sim_core.scenario import Scenario
-from sim_core.simulate import simulate
 from tests.client.cli import Cli
 from tests.servers import loops
 

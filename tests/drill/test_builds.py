@@ -13,11 +13,8 @@ import pytest
 
 from backend.cost.estimate import estimate
 from benchmarks.cost import drawn
-from sim_core.arrays import FloatArray
-from sim_core.errors import RidelabError
+from sim_core import STRATEGIES, FloatArray, RidelabError, simulate
 from sim_core.kernel import build
-from sim_core.simulate import simulate
-from sim_core.strategies import STRATEGIES
 from tests.results import SAME
 from tests.servers.process import ROOT
 from tests.unit.random_runs import CHEAP, numbers, to_its_limits

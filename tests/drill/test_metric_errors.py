@@ -4,10 +4,9 @@ from itertools import product
 
 import pytest
 
-from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario
+from sim_core import STRATEGIES, Actuator, Bump, Mpc, Road, Scenario
 from sim_core.scenario.presets import PRESETS
 from sim_core.scenario.road import BumpShape
-from sim_core.strategies import STRATEGIES
 from tests.validation.metric_errors import errors_of
 
 CLASSES = {"A": 16e-6, "B": 64e-6, "C": 256e-6, "D": 1024e-6, "E": 4096e-6}

@@ -16,10 +16,8 @@ from pyarrow import parquet
 from backend.links.models import Link
 from backend.store import Store
 from backend.store.job import FINAL
-from sim_core import __version__
+from sim_core import Scenario, __version__, simulate
 from sim_core.catalogue import SIGNALS
-from sim_core.scenario import Scenario
-from sim_core.simulate import simulate
 from tests.api.streams import events_of, read_events
 from tests.data import release
 from tests.faults.conftest import Process, Start, starter

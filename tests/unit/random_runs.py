@@ -12,9 +12,8 @@ from pydantic.fields import FieldInfo
 from backend.cost.affordable import simulate
 from backend.cost.estimate import estimate
 from benchmarks.cost import drawn, on_slider
+from sim_core import RidelabError, StrategyResult
 from sim_core.control.qp import MAX_EFFORT
-from sim_core.errors import RidelabError
-from sim_core.result import StrategyResult
 from tests.results import metrics
 
 CHEAP = 0.05  # estimated [s of one core]

@@ -11,15 +11,12 @@ import numpy as np
 
 from backend.cost.estimate import estimate
 from benchmarks.cost import drawn
-from sim_core.arrays import FloatArray
+from sim_core import FloatArray, RidelabError, Scenario, simulate
 from sim_core.catalogue import METRIC_SIGNALS
-from sim_core.errors import RidelabError
 from sim_core.frequency.stability import least_damping
 from sim_core.road.profile import GRID
-from sim_core.scenario import Scenario
 from sim_core.scenario.dotted import with_changes
 from sim_core.scenario.parts import KMH
-from sim_core.simulate import simulate
 from sim_core.speed.profile import SPEED_CONTROL_PERIOD
 from tests.unit.random_runs import CHEAP, to_its_limits
 

@@ -21,11 +21,10 @@ from backend.controller.link import connected
 from backend.controller.realtime import PacedEcu, Timing, spread
 from backend.controller.report import ControllerVariant
 from benchmarks.cortex_m3 import CortexM3
+from sim_core import Bump, Hil, Mpc, Road, Scenario, Speed, simulate
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.interface import Ecu, Frame, Reply
 from sim_core.ecu.sources import SOURCES
-from sim_core.scenario import Bump, Hil, Mpc, Road, Scenario, Speed
-from sim_core.simulate import simulate
 from sim_core.strategies.calibration import ecu_calibration
 from sim_core.strategies.lv_hil import LvHil
 from tests.results import event

@@ -8,13 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim_core.arrays import FloatArray
+from sim_core import Actuator, Bump, FloatArray, Hil, Mpc, Road, Scenario, Speed, StrategyResult, simulate
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import convert, highest_code
 from sim_core.ecu.interface import Connect, Ecu, Frame, Reply
-from sim_core.result import StrategyResult
-from sim_core.scenario import Actuator, Bump, Hil, Mpc, Road, Scenario, Speed
-from sim_core.simulate import simulate
 from sim_core.strategies.lv_hil import LvHil
 from tests.results import event
 

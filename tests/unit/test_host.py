@@ -10,10 +10,9 @@ from typing import Any
 import pytest
 from threadpoolctl import ThreadpoolController
 
+from sim_core import Scenario, simulate
 from sim_core.loop.run import Run
 from sim_core.metrics.evaluate import evaluate
-from sim_core.scenario import Scenario
-from sim_core.simulate import simulate
 from tests.servers.process import HANG_TIMEOUT
 
 SIMULATE = sys.modules["sim_core.simulate"]  # the module: the package binds the function by that name

@@ -12,15 +12,13 @@ import numpy as np
 import pytest
 from numpy.random import default_rng
 
-from sim_core.arrays import FloatArray
-from sim_core.control.law import LinearLaw
+from sim_core import Actuator, FloatArray, LinearLaw, Vehicle
 from sim_core.ecu import program
 from sim_core.kernel import binding, build, library, prepared, qp, record
 from sim_core.kernel.library import load
 from sim_core.kernel.qp import QpMemory
 from sim_core.loop.closed_loop import law_arrays
 from sim_core.loop.preview import Forecast, sliding_forecast
-from sim_core.scenario import Actuator, Vehicle
 from sim_core.vehicle.half_car import measurement
 from sim_core.vehicle.nonlinear import numbers
 from tests.unit.qp_design import qp_design

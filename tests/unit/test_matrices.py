@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 from scipy import linalg
 
-from sim_core.errors import RidelabError
+from sim_core import RidelabError, Vehicle
 from sim_core.matrices import exponential, gauss_legendre, lyapunov, solve
-from sim_core.scenario import Vehicle
 from sim_core.vehicle.half_car import half_car
 
 

@@ -15,11 +15,10 @@ from backend.paper.interpretations import DEFAULT, FAVOURABLE, INTERPRETATIONS, 
 from backend.paper.paper_rows import compute_row
 from backend.paper.readings import OURS, READINGS
 from backend.paper.tables import ABSOLUTES, TABLES, cells
+from sim_core import Road, Scenario, simulate
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.errors import UnknownNameError
-from sim_core.scenario import Road, Scenario
 from sim_core.scenario.dotted import field
-from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES, values_read
 from tests.docs.causes import least_change
 

@@ -12,10 +12,8 @@ from pyarrow import parquet
 
 from backend.runs import exports, pins
 from backend.runs.series import ROWS, SamplingHints, SeriesArray, decimate, pack
-from sim_core import __version__
+from sim_core import Bump, Road, Scenario, Speed, __version__, simulate
 from sim_core.catalogue import SIGNALS
-from sim_core.scenario import Bump, Road, Scenario, Speed
-from sim_core.simulate import simulate
 
 SCENARIO = Scenario(road=Road(length=20, bump=Bump(start=8, width=2)), speed=Speed(detection_distance=6))
 

@@ -6,9 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from sim_core import Controller, program
+from sim_core import STRATEGIES, Controller, program
 from sim_core.program import program as named
-from sim_core.strategies import STRATEGIES
 from tests.there import there
 
 

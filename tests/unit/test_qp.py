@@ -7,14 +7,11 @@ import daqp
 import numpy as np
 import pytest
 
-from sim_core.arrays import FloatArray
+from sim_core import STRATEGIES, Actuator, Bump, FloatArray, Mpc, PredictiveController, Road, Scenario
 from sim_core.control import mpc_design
-from sim_core.control.mpc import PredictiveController
 from sim_core.control.qp import SOLVERS, TOLERANCE, Qps
 from sim_core.kernel.qp import QpDesign
-from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario
 from sim_core.simulate import prepare, simulate
-from sim_core.strategies import STRATEGIES
 from tests.results import event
 
 HARD = Scenario(road=Road(bump=Bump(height=0.14)), mpc=Mpc(deflection_limit=0.05, force_limit=2500))

@@ -8,8 +8,7 @@ Over twenty class B roads; to print it:
 import multiprocessing
 from functools import partial
 
-from sim_core.scenario import Road, Scenario
-from sim_core.simulate import simulate
+from sim_core import Road, Scenario, simulate
 from tests.validation.reference.held import errors
 
 SEEDS = range(1, 21)

@@ -5,9 +5,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from sim_core.scenario import Actuator, Bump, Lqr, Mpc, Preview, Road, Scenario, Speed
+from sim_core import Actuator, Bump, Lqr, Mpc, Preview, Road, Scenario, Speed, simulate
 from sim_core.scenario.presets import preset
-from sim_core.simulate import simulate
 from tests.results import event
 from tests.validation.reference.loop import drive
 from tests.validation.reference.vehicle import OUTPUTS

@@ -8,11 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sim_core import Controller, check_controller, controller_files, load_controllers, simulate
+from sim_core import Bump, Controller, Road, Scenario, check_controller, controller_files, load_controllers, simulate
 from sim_core.controller_files import VARIABLE, ControllerFileError
 from sim_core.errors import UnknownNameError
 from sim_core.program import program
-from sim_core.scenario import Bump, Road, Scenario
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "controllers"
 SHORT = Scenario(road=Road(length=60, bump=Bump(start=30)))

@@ -7,14 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from sim_core import Seen
+from sim_core import Hil, Mpc, Scenario, Seen
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import STAGES, highest_code
 from sim_core.ecu.interface import Ecu, Frame, Reply
 from sim_core.ecu.program import in_process
 from sim_core.loop.preview import sliding_forecast
-from sim_core.scenario import Hil, Mpc, Scenario
 from sim_core.simulate import prepare, simulate
 from sim_core.speed.stages import Segment
 from sim_core.strategies.calibration import ecu_calibration

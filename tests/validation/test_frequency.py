@@ -8,12 +8,11 @@ import numpy as np
 import pytest
 from scipy.signal import cont2discrete, zpk2ss
 
-from sim_core import Controller, FloatArray, LinearLaw, Seen, Setup
+from sim_core import Controller, FloatArray, LinearLaw, Scenario, Seen, Setup
 from sim_core.frequency.margins import margins, transfer
 from sim_core.frequency.responses import BANDS, RESPONSES, _modes, frequency_response
 from sim_core.frequency.sampled_loop import SampledLoop, sampled_loop, stage_law
 from sim_core.frequency.stability import least_damping
-from sim_core.scenario import Scenario
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.simulate import prepare, simulate
 from sim_core.vehicle.half_car import half_car

@@ -6,10 +6,8 @@ That is the bound of every preview: the regulator told of the whole road reaches
 import numpy as np
 import pytest
 
-from sim_core import STRATEGIES, LinearLaw, Scenario, Setup
-from sim_core.arrays import FloatArray
+from sim_core import STRATEGIES, FloatArray, LinearLaw, Scenario, Setup, feedforward, regulator
 from sim_core.control.cost import KILO, CostTerms, stage_cost
-from sim_core.control.regulator import feedforward, regulator
 from sim_core.vehicle.half_car import FORCES, STATES, discrete
 
 STEPS, SPEED, SAMPLE_TIME = 140, 14.0, 0.01

@@ -8,10 +8,9 @@ import pytest
 from pydantic import ValidationError
 from skfuzzy import control
 
-from sim_core.scenario import Fuzzy, Scenario
+from sim_core import Fuzzy, Scenario, simulate
 from sim_core.scenario.fuzzy import TABLE_1 as RULES_OF_TABLE_1
 from sim_core.scenario.fuzzy import FuzzySet, even_triangles
-from sim_core.simulate import simulate
 from sim_core.speed.fuzzy import memberships, torque_rules
 from tests.validation.strategies import examples
 

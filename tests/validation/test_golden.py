@@ -14,8 +14,7 @@ import numpy as np
 import pytest
 
 import sim_core
-from sim_core.scenario import Actuator, Bump, Estimation, Hil, Mismatch, Mpc, Road, Scenario, Vehicle
-from sim_core.strategies import STRATEGIES
+from sim_core import STRATEGIES, Actuator, Bump, Estimation, Hil, Mismatch, Mpc, Road, Scenario, Vehicle
 from tests.results import SAME, metrics
 from tests.validation.strategies import some
 

@@ -8,7 +8,7 @@ import osqp
 import pytest
 from scipy.sparse import csc_matrix, triu
 
-from sim_core import Controller, FloatArray, RidelabError, Scenario, Seen, simulate
+from sim_core import STRATEGIES, Controller, FloatArray, RidelabError, Scenario, Seen, simulate
 from sim_core.control.mpc_design import MpcDesign
 from sim_core.control.plan import Plan
 from sim_core.control.qp import CENTI, Qps
@@ -16,7 +16,6 @@ from sim_core.instant import instant
 from sim_core.loop.run import Run
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.simulate import prepare
-from sim_core.strategies import STRATEGIES
 from sim_core.strategies.suspension_only import SuspensionOnly
 from tests.there import there
 

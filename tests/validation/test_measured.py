@@ -7,12 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sim_core.errors import RidelabError
+from sim_core import Bump, RidelabError, Road, Scenario, Speed, simulate
 from sim_core.road.profile import road_profile
 from sim_core.road.survey import bumps_in, surveyed
-from sim_core.scenario import Bump, Road, Scenario, Speed
 from sim_core.scenario.measured import SPACING, MeasuredRoad
-from sim_core.simulate import simulate
 
 
 def measured_on(road: Road, spacing: float = 0.05, length: float = 200) -> MeasuredRoad:

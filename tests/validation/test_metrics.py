@@ -4,16 +4,14 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
+from sim_core import STRATEGIES, Actuator, Bump, Mpc, Road, Scenario, Speed, Vehicle, simulate
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, PAPER_SIGNALS, SIGNALS, WINDOWS
 from sim_core.metrics.comfort import wk_gain
 from sim_core.metrics.evaluate import rms_between
 from sim_core.metrics.windows import section_ends
 from sim_core.result import Series
-from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.presets import preset
-from sim_core.simulate import simulate
 from sim_core.speed.profile import SpeedProfile, make_speed_profile
-from sim_core.strategies import STRATEGIES
 from tests.results import event
 from tests.validation.reference.held import errors
 from tests.validation.reference.weighting import wk

@@ -3,12 +3,11 @@
 import numpy as np
 import pytest
 
+from sim_core import Actuator, Bump, Mismatch, Preview, Road, Scenario, Speed, Vehicle, simulate
 from sim_core.loop.excitation import excite
 from sim_core.loop.preview import preview
 from sim_core.road import profile as road
 from sim_core.road.sensed import ExpectedErrors, sensed_road, trust, trusted
-from sim_core.scenario import Actuator, Bump, Mismatch, Preview, Road, Scenario, Speed, Vehicle
-from sim_core.simulate import simulate
 from sim_core.speed.profile import make_speed_profile
 
 SHORT = Scenario(road=Road(length=60, bump=Bump(start=40, width=3)), speed=Speed(detection_distance=30))

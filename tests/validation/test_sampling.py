@@ -3,11 +3,10 @@
 import numpy as np
 import pytest
 
+from sim_core import Bump, Road, Scenario, Speed, Vehicle, simulate
 from sim_core.kernel.record import WEIGHTING, Recorder
 from sim_core.road.profile import GRID, grid_positions, kinks, rough_profile
-from sim_core.scenario import Bump, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.road import BumpShape
-from sim_core.simulate import simulate
 
 LOAD = 4  # place of the front tyre's in a sample
 

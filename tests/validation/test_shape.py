@@ -3,10 +3,9 @@
 import numpy as np
 import pytest
 
+from sim_core import Road, Scenario, simulate
 from sim_core.catalogue import PAPER_SIGNALS
-from sim_core.scenario import Road, Scenario
 from sim_core.scenario.presets import preset
-from sim_core.simulate import simulate
 
 SEEDS = range(1, 5)
 

@@ -6,10 +6,8 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 
+from sim_core import Brake, Bump, Road, Scenario, Speed, StrategyResult, Vehicle, simulate
 from sim_core.loop.excitation import excite
-from sim_core.result import StrategyResult
-from sim_core.scenario import Brake, Bump, Road, Scenario, Speed, Vehicle
-from sim_core.simulate import simulate
 from sim_core.speed.profile import make_speed_profile
 from sim_core.speed.stages import segments, spans
 from tests.validation.reference.driving import brake_to_bump

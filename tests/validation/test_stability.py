@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
+from sim_core import Actuator, Bump, Estimation, Hook, Mismatch, Road, Scenario, Speed, Vehicle, simulate
 from sim_core.frequency.stability import damping, least_damping
-from sim_core.scenario import Actuator, Bump, Estimation, Hook, Mismatch, Road, Scenario, Speed, Vehicle
-from sim_core.simulate import simulate
 from sim_core.vehicle.half_car import half_car
 from tests.there import there
 

@@ -4,11 +4,10 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from sim_core.scenario import Scenario, Vehicle, characteristics
+from sim_core import Scenario, Vehicle, characteristics, simulate
 from sim_core.scenario.data_sheet import DataSheet
 from sim_core.scenario.vehicle import GRAVITY
 from sim_core.scenario.vehicles import VEHICLES, loaded
-from sim_core.simulate import simulate
 from sim_core.vehicle.half_car import half_car
 
 POUND, FOOT = 4.4482216152605, 0.3048  # [N, m]

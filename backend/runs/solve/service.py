@@ -13,8 +13,7 @@ from backend.runs.solve.limit_search import MAX_VALUES, next_indices
 from backend.runs.solve.models import Solution, SolveRequest
 from backend.runs.solve.solution import Tried, bounds_of, of_metric, of_requirements, solution
 from backend.scenario_at import contradiction, scenario_at
-from sim_core.errors import RidelabError
-from sim_core.scenario import Scenario
+from sim_core import RidelabError, Scenario
 
 LENGTH = "road.length"
 

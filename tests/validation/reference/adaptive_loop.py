@@ -11,14 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import ode
 
+from sim_core import Actuator, Scenario, StrategyResult, Vehicle, simulate
 from sim_core.kernel.prepared import FollowLaw, LawArrays, LawDesign
 from sim_core.kernel.qp import Qp
 from sim_core.kernel.record import Recorder
 from sim_core.loop.excitation import longest_fine_step
-from sim_core.result import StrategyResult
 from sim_core.road.profile import RoadUnderAxles
-from sim_core.scenario import Actuator, Scenario, Vehicle
-from sim_core.simulate import simulate
 from sim_core.vehicle.model import Estimator, SemiActiveDampers
 
 Array = NDArray[np.float64]

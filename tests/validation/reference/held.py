@@ -14,11 +14,9 @@ from unittest.mock import patch
 import numpy as np
 from numpy.typing import NDArray
 
-from sim_core import Seen
+from sim_core import Actuator, Scenario, Seen, StrategyResult
 from sim_core.loop.delayed_loop import DelayedLoop
-from sim_core.result import StrategyResult
 from sim_core.road.profile import road_profile
-from sim_core.scenario import Actuator, Scenario
 from sim_core.simulate import prepare, simulate
 from sim_core.speed.profile import SpeedProfile
 from tests.results import metrics

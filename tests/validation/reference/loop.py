@@ -13,9 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicHermiteSpline
 
-from sim_core.result import StrategyResult
+from sim_core import Scenario, StrategyResult
 from sim_core.road.profile import road_profile
-from sim_core.scenario import Scenario
 from tests.validation.reference import qp
 from tests.validation.reference.sampled import gauss, interval, mean_cost, regulator, weights
 from tests.validation.reference.vehicle import StateSpace, state_space
