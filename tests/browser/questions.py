@@ -6,8 +6,7 @@ from contextlib import contextmanager
 
 from playwright.sync_api import Locator, Page
 
-from tests.browser.dashboard import Dashboard, expect_new_address
-from tests.browser.looks import expect
+from tests.browser.dashboard import Dashboard, expect, expect_new_address
 from tests.servers.process import ROOT
 
 Question = Callable[[Dashboard], None]

@@ -13,8 +13,7 @@ from pathlib import Path
 from playwright.sync_api import sync_playwright
 
 from tests.browser.chromium import launch
-from tests.browser.dashboard import TOUR_SEEN, Dashboard, Scheme
-from tests.browser.looks import expect
+from tests.browser.dashboard import TOUR_SEEN, Dashboard, Scheme, expect
 from tests.browser.server import Server
 from tests.servers.process import ROOT, request
 

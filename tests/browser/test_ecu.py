@@ -8,8 +8,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page
 
-from tests.browser.dashboard import LAPTOP, WINDOWS, Dashboard
-from tests.browser.looks import expect
+from tests.browser.dashboard import LAPTOP, WINDOWS, Dashboard, expect
 from tests.browser.server import Server
 
 SIGNALS = ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_tyre_load")

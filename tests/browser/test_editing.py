@@ -7,8 +7,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page
 
-from tests.browser.dashboard import THOROUGH, Dashboard, expect_new_address
-from tests.browser.looks import expect
+from tests.browser.dashboard import THOROUGH, Dashboard, expect, expect_new_address
 
 
 def open_with_road(dashboard: Dashboard, file: Path) -> tuple[Page, str]:

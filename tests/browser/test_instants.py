@@ -5,8 +5,7 @@ import re
 import pytest
 from playwright.sync_api import Locator
 
-from tests.browser.dashboard import THOROUGH, Dashboard, middle_of
-from tests.browser.looks import expect
+from tests.browser.dashboard import THOROUGH, Dashboard, expect, middle_of
 
 
 def opened(dashboard: Dashboard) -> Locator:

@@ -5,8 +5,7 @@ from collections.abc import Callable
 
 import pytest
 
-from tests.browser.dashboard import THOROUGH, Dashboard, expect_new_address, middle_of
-from tests.browser.looks import expect
+from tests.browser.dashboard import THOROUGH, Dashboard, expect, expect_new_address, middle_of
 from tests.browser.server import Server
 from tests.there import there
 

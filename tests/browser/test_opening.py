@@ -1,7 +1,6 @@
 """How the page opens: without a jump, and where nothing is; `make drill` has other windows and a login."""
 
-from tests.browser.dashboard import Dashboard
-from tests.browser.looks import expect
+from tests.browser.dashboard import Dashboard, expect
 
 UNKNOWN = "A" * 22
 

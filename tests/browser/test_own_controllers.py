@@ -1,8 +1,7 @@
 """A controller of one's own on the page: chosen, its option changed, its file saved anew and broken."""
 
 from tests.api.own_laws import LAW
-from tests.browser.dashboard import Dashboard, expect_new_address
-from tests.browser.looks import expect
+from tests.browser.dashboard import Dashboard, expect, expect_new_address
 from tests.browser.server import Server
 
 

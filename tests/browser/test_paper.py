@@ -8,8 +8,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator, Page, Route
 
-from tests.browser.dashboard import THOROUGH, Dashboard
-from tests.browser.looks import expect
+from tests.browser.dashboard import THOROUGH, Dashboard, expect
 from tests.browser.server import Server
 from tests.servers.process import request
 

@@ -3,8 +3,7 @@
 import pytest
 
 from sim_core import Scenario, simulate
-from tests.browser.dashboard import Dashboard, expect_new_address
-from tests.browser.looks import expect
+from tests.browser.dashboard import Dashboard, expect, expect_new_address
 
 PEAK = '[data-cell="bump.body_acceleration.peak"]'
 

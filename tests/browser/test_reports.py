@@ -8,8 +8,7 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Download, Page, Request
 
 from backend.runs.figures import PANELS
-from tests.browser.dashboard import RULES, THOROUGH, Dashboard, Scheme, violations
-from tests.browser.looks import expect
+from tests.browser.dashboard import RULES, THOROUGH, Dashboard, Scheme, expect, violations
 from tests.servers.process import request
 
 TICKS: dict[Scheme, str] = {"light": "rgb(74, 85, 91)", "dark": "rgb(169, 179, 185)"}

@@ -4,8 +4,7 @@ import re
 
 import pytest
 
-from tests.browser.dashboard import Dashboard
-from tests.browser.looks import expect
+from tests.browser.dashboard import Dashboard, expect
 
 PEAK = "bump.body_acceleration.peak"
 TITLE = "Body acceleration, peak, bump"

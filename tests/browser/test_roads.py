@@ -4,8 +4,7 @@ import re
 
 import pytest
 
-from tests.browser.dashboard import LAPTOP, Dashboard, expect_new_address
-from tests.browser.looks import expect
+from tests.browser.dashboard import LAPTOP, Dashboard, expect, expect_new_address
 from tests.browser.server import Server
 
 PEAK = '[data-cell="bump.body_acceleration.peak"]'

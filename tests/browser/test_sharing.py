@@ -5,8 +5,7 @@ import re
 import pytest
 from playwright.sync_api import Page
 
-from tests.browser.dashboard import REFUSE_COPYING, Dashboard, expect_new_address
-from tests.browser.looks import expect
+from tests.browser.dashboard import REFUSE_COPYING, Dashboard, expect, expect_new_address
 
 
 def share(page: Page) -> str:

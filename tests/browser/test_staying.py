@@ -6,8 +6,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page, Route
 
-from tests.browser.dashboard import Dashboard, expect_new_address
-from tests.browser.looks import expect
+from tests.browser.dashboard import Dashboard, expect, expect_new_address
 
 BEFORE = "Before the last edit"
 

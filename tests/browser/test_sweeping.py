@@ -6,8 +6,7 @@ import re
 import pytest
 from playwright.sync_api import Locator, Page, Route
 
-from tests.browser.dashboard import Dashboard, expect_new_address
-from tests.browser.looks import expect
+from tests.browser.dashboard import Dashboard, expect, expect_new_address
 from tests.browser.server import Server
 from tests.browser.test_sharing import share
 

@@ -4,8 +4,7 @@ import re
 
 import pytest
 
-from tests.browser.dashboard import Dashboard, expect_new_address
-from tests.browser.looks import expect
+from tests.browser.dashboard import Dashboard, expect, expect_new_address
 
 
 @pytest.mark.thorough

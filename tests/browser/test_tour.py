@@ -6,8 +6,7 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser, ViewportSize
 
-from tests.browser.dashboard import Dashboard
-from tests.browser.looks import expect
+from tests.browser.dashboard import Dashboard, expect
 from tests.browser.server import Server
 
 

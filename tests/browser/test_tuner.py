@@ -6,8 +6,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page
 
-from tests.browser.dashboard import Dashboard, expect_new_address
-from tests.browser.looks import expect
+from tests.browser.dashboard import Dashboard, expect, expect_new_address
 from tests.browser.server import Server
 
 SHORT = {"road": {"length": 95, "bump": {"start": 70}}, "speed": {"detection_distance": 50}}

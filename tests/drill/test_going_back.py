@@ -7,8 +7,7 @@ import pytest
 from playwright.sync_api import Browser, Locator, Page, Playwright
 
 from tests.browser.chromium import launch
-from tests.browser.dashboard import LAPTOP, Dashboard, expect_new_address
-from tests.browser.looks import expect
+from tests.browser.dashboard import LAPTOP, Dashboard, expect, expect_new_address
 from tests.browser.server import Server
 from tests.browser.test_staying import edited, expect_edited
 

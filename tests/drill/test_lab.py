@@ -6,8 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.browser.dashboard import Dashboard, expect_new_address
-from tests.browser.looks import expect
+from tests.browser.dashboard import Dashboard, expect, expect_new_address
 from tests.browser.server import Server
 from tests.browser.test_editing import open_with_road
 from tests.browser.test_roads import PEAK

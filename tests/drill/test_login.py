@@ -4,8 +4,7 @@ from pathlib import Path
 
 from playwright.sync_api import Browser
 
-from tests.browser.dashboard import Dashboard
-from tests.browser.looks import expect
+from tests.browser.dashboard import Dashboard, expect
 from tests.servers.api import Api
 from tests.servers.process import request
 

@@ -5,8 +5,7 @@ import re
 import pytest
 from playwright.sync_api import Route
 
-from tests.browser.dashboard import Dashboard, expect_new_address, thumb
-from tests.browser.looks import expect
+from tests.browser.dashboard import Dashboard, expect, expect_new_address, thumb
 from tests.browser.server import Server
 from tests.browser.test_opening import expect_steady
 from tests.browser.test_sweeping import expect_done
