@@ -163,13 +163,17 @@ def judged(requirement: Requirement, strategy: str, driven: Mapping[str, Driven]
 def used(requirement: Requirement, own: Driven, base: Driven) -> float:
     """How much of a limit is used: 1 where the worse end of the interval meets it; infinite without a value.
 
-    Of a positive `max` it is the metric over its limit; else 1 and the excess, over the limit's magnitude or 1.
+    Of a positive `max` it is the metric over its limit, of a positive `min` the limit over the metric, and so on
+    where both are negative; beyond a limit 1 and the excess, over the limit's magnitude or 1.
     """
     held = _held(requirement, own, base)
     if isinstance(held, str):
         return inf
     low, high = _ends(held)
-    return 1 + excess(requirement, low if requirement.min is not None else high) / (abs(requirement.limit) or 1)
+    limit, value = requirement.limit, low if requirement.min is not None else high
+    beyond = excess(requirement, value) / (abs(limit) or 1)
+    is_passed = beyond < 0 and (limit > 0 if requirement.min is not None else limit < 0)  # there is no end to it
+    return limit / value if is_passed else max(0.0, 1 + beyond)
 
 
 def excess(requirement: Requirement, value: float) -> float:

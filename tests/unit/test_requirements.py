@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from backend.requirements import Requirement, judge
+from backend.requirements import Requirement, judge, used
 
 CASES = json.loads((Path(__file__).parents[1] / "data" / "requirement_cases.json").read_text())
 
@@ -18,3 +18,22 @@ def test_one_road_is_judged_as_in_the_page(case: dict[str, Any]) -> None:
     answers = [each.model_dump(mode="json") for each in judge(requirements, driven, case["baseline"])]
     keys = ("strategy", "result", "value", "baseline")
     assert [{key: answer[key] for key in keys} for answer in answers] == case["results"]
+
+
+@pytest.mark.parametrize(
+    ("limit", "time", "share"),
+    [
+        ({"max": 10}, 9.0, 0.9),
+        ({"max": 10}, 12.0, 1.2),
+        ({"max": 0}, 3.0, 4.0),
+        ({"min": 10}, 40.0, 0.25),
+        ({"min": 10}, 8.0, 1.2),
+        ({"max_change": -20}, 2.0, 0.25),  # 80 % below the other's ten seconds
+        ({"max_change": 5}, 2.0, 0.0),
+    ],
+)
+def test_the_share_of_a_limit_that_is_used_is_never_below_zero(
+    limit: dict[str, float], time: float, share: float
+) -> None:
+    requirement = Requirement.model_validate({"metric": "travel_time", **limit})
+    assert used(requirement, [{"travel_time": time}], [{"travel_time": 10.0}]) == pytest.approx(share)
