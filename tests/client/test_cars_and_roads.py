@@ -46,6 +46,17 @@ def test_the_scenario_of_a_road_can_be_driven(
     Scenario.model_validate(scenario)
 
 
+def test_the_roughness_of_a_bad_road_has_one_power_of_ten(cli: Cli, prepared: Prepared) -> None:
+    measures = {
+        "iri": None,
+        "iso_class": "D",
+        "roughness": {"value": 1.0241e-3, "low": 4e-13, "high": 0.1},
+        "waviness": {"value": 2, "low": 1.5, "high": 2.5},
+    }
+    prepared.answers[f"GET /roads/{RUN}"] = {"id": RUN, "length": 50, "bumps": [], "warnings": [], **measures}
+    assert "roughness 1020e-6 m^3 (95 %: 0.0000004 to 100000), waviness 2.00" in cli("road", RUN)
+
+
 def test_a_librarys_file_is_driven_with_its_road(cli: Cli, prepared: Prepared, tmp_path: Path) -> None:
     """Where the scenario names a road that the service does not have, the file's own is sent to it."""
     prepared.answers["POST /roads"] = {"id": RUN}

@@ -3,6 +3,7 @@
 import json
 import re
 from collections.abc import Iterator, Mapping
+from decimal import Decimal
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -77,7 +78,7 @@ def _indices(profile: Mapping[str, Any]) -> Iterator[str]:
         yield f"IRI {profile['iri']['mean']:.2f} m/km{each}"
     if profile["iso_class"] is not None:
         rough, waviness = profile["roughness"], profile["waviness"]
-        of = [f"{1e6 * rough[name]:.3g}" for name in ("value", "low", "high")]
+        of = [f"{Decimal(f'{1e6 * rough[name]:.3g}'):f}" for name in ("value", "low", "high")]
         yield (
             f"ISO 8608 class {profile['iso_class']}: roughness {of[0]}e-6 m^3 (95 %: {of[1]} to {of[2]}), "
             f"waviness {waviness['value']:.2f} ({waviness['low']:.2f} to {waviness['high']:.2f})"
