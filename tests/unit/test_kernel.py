@@ -225,7 +225,7 @@ def test_a_law_is_followed_up_to_the_first_step_in_which_a_limit_binds(seed: int
 def test_a_limit_on_one_kind_of_preview_binds_where_all_of_it_is_seen(kind: int, seen: list[float]) -> None:
     steps, ahead, limits = 20, np.zeros((3, 23)), np.zeros((11, 22))  # looked at in eights
     ahead[kind, 10:14] = seen
-    limits[0, 10 + 4 * kind : 14 + 4 * kind] = 0.3 * np.array(seen)  # 1.2 in step 10, 0.9 before it
+    limits[0, 10 + 4 * kind : 14 + 4 * kind] = 0.251 * np.array(seen)  # 1.004 in step 10, 0.753 before it
     law = LinearLaw(gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 12)), limits=limits)
     arrays = law_arrays(sliding_forecast(ahead, 4, np.zeros((2, steps))), np.full(3, np.inf), clips=True)
     car = still_car(steps=steps)
