@@ -30,7 +30,7 @@ from backend.file_formats import BINARY
 from backend.http import openapi, problems
 from backend.http.guard import GuardMiddleware
 from backend.http.request_log import RequestLogMiddleware
-from backend.http.token_middleware import TokenMiddleware
+from backend.http.tokens import TokenMiddleware
 from backend.library import answers
 from backend.services import Services, interactive_workers, make_services
 from backend.settings import BUILT_MANUAL, Settings

@@ -15,10 +15,9 @@ from backend.compute.workers import BATCH_NICE, RESERVED, Workers
 from backend.controller.service import Controllers
 from backend.fmu.service import Fmus
 from backend.gate import Gate
-from backend.http.logins import Logins
 from backend.http.parts import HttpParts
 from backend.http.spool import Spool
-from backend.http.tokens import Tokens
+from backend.http.tokens import Logins, Tokens
 from backend.jobs.scheduler import Scheduler
 from backend.links.service import Links
 from backend.metrics import service_registry

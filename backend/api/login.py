@@ -7,10 +7,9 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from backend.api import API, router
 from backend.http.answers import json_answer
-from backend.http.logins import COOKIE, LIFETIME, LOGIN
 from backend.http.parts import parts_of
 from backend.http.problems import RequestError
-from backend.http.tokens import Caller
+from backend.http.tokens import COOKIE, LIFETIME, LOGIN, Caller
 
 login = router("login", 400, 401, 413, 415, 422, 503)
 

@@ -17,7 +17,6 @@ from sqlalchemy import Connection, ExceptionContext, Row, Select, Table, event, 
 from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
 
 from backend.db.checksum import check
-from backend.db.clock import Now
 from backend.db.commits import Commits
 from backend.db.migrations import REVISIONS, upgrade
 from backend.db.server import ReadOnlyError, SilentServerError, is_deadlock, is_silent, server_engine
@@ -36,6 +35,7 @@ from backend.db.sqlite import (
     try_writing,
 )
 from backend.db.tables import runs
+from backend.db.types import Now
 
 logger = logging.getLogger(__name__)
 

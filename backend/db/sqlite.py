@@ -13,7 +13,7 @@ from sqlalchemy import URL, Connection, Engine, create_engine, event
 from sqlalchemy.exc import DBAPIError, OperationalError
 
 from backend.command_error import CommandError
-from backend.db.clock import SQLITE_FUNCTION
+from backend.db.types import SQLITE_FUNCTION
 
 LOCK_TIMEOUT = 1.0  # a lock of another program is waited for so long, then it is an error [s]
 # While a commit waits for the last reader, SQLite lets no other reader begin: it is rolled back and tried again [s].

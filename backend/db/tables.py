@@ -17,8 +17,7 @@ from sqlalchemy import (
 )
 
 from backend.db.checksum import UNCHECKED, checksum_column
-from backend.db.clock import Now
-from backend.db.types import Json, Utc
+from backend.db.types import Json, Now, Utc
 
 metadata = MetaData(
     naming_convention={

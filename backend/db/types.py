@@ -1,4 +1,7 @@
-"""Column types: JSON as text that orjson writes, and times that know they are UTC."""
+"""Column types: JSON as text that orjson writes, and times that know they are UTC, by the database's own clock.
+
+Times of rows are that clock's alone: those of replicas may differ, and may jump.
+"""
 
 from collections.abc import Callable
 from datetime import UTC, datetime
@@ -6,6 +9,8 @@ from typing import Any
 
 import orjson
 from sqlalchemy import DateTime, Text
+from sqlalchemy.ext.compiler import compiles
+from sqlalchemy.sql.functions import FunctionElement
 from sqlalchemy.types import TypeDecorator
 
 from backend.errors import DamagedError
@@ -52,3 +57,26 @@ class Utc(TypeDecorator[datetime]):
         if value is None:
             return None
         return value.replace(tzinfo=UTC) if value.tzinfo is None else value.astimezone(UTC)
+
+
+SQLITE_FUNCTION = "ridelab_now"  # of every connection to SQLite: its own has no microseconds
+
+UNSTORED = datetime.min.replace(tzinfo=UTC)  # when something was stored that has not been yet
+
+
+class Now(FunctionElement[Any]):
+    """The time at which the database comes to this row, with microseconds."""
+
+    type = Utc()
+    inherit_cache = True
+    name = "now_of_database"
+
+
+@compiles(Now)
+def _on_server(_element: Now, _compiler: Any, **_: Any) -> str:
+    return "clock_timestamp()"
+
+
+@compiles(Now, "sqlite")
+def _on_sqlite(_element: Now, _compiler: Any, **_: Any) -> str:
+    return f"{SQLITE_FUNCTION}()"

@@ -15,9 +15,9 @@ from fastapi.openapi.utils import get_openapi
 from backend.digest import STRATEGY_PATTERN
 from backend.http.field_descriptions import EVERYWHERE, OF_MODELS
 from backend.http.kinds import KINDS
-from backend.http.logins import COOKIE
 from backend.http.problems import MEDIA_TYPE, Problem
 from backend.http.request_log import HEADER
+from backend.http.tokens import COOKIE
 from backend.json_types import JsonObject
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.check_controller import ID

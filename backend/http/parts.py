@@ -5,8 +5,7 @@ from dataclasses import dataclass
 from starlette.requests import HTTPConnection
 
 from backend.gate import Gate
-from backend.http.logins import Logins
-from backend.http.tokens import Tokens
+from backend.http.tokens import Logins, Tokens
 from backend.own.watch import Watch
 from backend.settings import Settings
 

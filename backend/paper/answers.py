@@ -10,8 +10,7 @@ from backend.paper import claims, models
 from backend.paper.attribution import COMFORT_FIGURES, EQUAL_SPEED, FACTORS, VARIANTS, compared, sentences, shares
 from backend.paper.claims import FIGURES, Judged
 from backend.paper.errata import ERRATA
-from backend.paper.interpretations import INTERPRETATIONS, Interpretation, interpretation_of
-from backend.paper.readings import READINGS, Reading, changes_of
+from backend.paper.readings import INTERPRETATIONS, READINGS, Interpretation, Reading, changes_of, interpretation_of
 from backend.paper.rows import Rows
 from backend.paper.tables import TABLES, PaperCell, PaperTable, cells
 from sim_core import __version__ as CORE_VERSION

@@ -1,6 +1,6 @@
 """What is printed in the paper and what Ridelab uses instead; docs/reference/errata.md is written from it.
 
-Those that a reader may choose are in `backend.paper.interpretations`.
+Those that a reader may choose are in `backend.paper.readings`.
 """
 
 from backend.paper.models import Erratum

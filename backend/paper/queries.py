@@ -6,8 +6,7 @@ from pydantic import ConfigDict, Field, create_model
 
 from backend.models import RequestModel
 from backend.paper.claims import SEEDS
-from backend.paper.interpretations import DEFAULT, INTERPRETATIONS
-from backend.paper.readings import READINGS
+from backend.paper.readings import DEFAULT, INTERPRETATIONS, READINGS
 
 Seeds = Annotated[int, Field(ge=20, le=100, description="How many roads every strategy drives")]
 FirstSeed = Annotated[int, Field(ge=1, le=1_000_000, description="The first road's seed; the others follow it")]

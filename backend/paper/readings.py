@@ -1,8 +1,8 @@
 """Where the paper is silent or misprinted and a reader may choose: each reading is a few fields of the scenario.
 
 docs/reference/errata.md has those that are no choice. The first choice of each is Ridelab's. Each choice says which
-sentence or equation of the paper has it, or that it is ours. Two sets of choices have a name:
-`backend.paper.interpretations`.
+sentence or equation of the paper has it, or that it is ours. Two sets of choices have a name: the paper as Ridelab
+reads it, and as most of its printed changes are reached.
 """
 
 from collections.abc import Mapping
@@ -252,3 +252,45 @@ def changes_of(choices: Mapping[str, str]) -> dict[str, Any]:
     for name, choice in choices.items():
         changes |= reading(name).choice(choice).changes
     return changes
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Interpretation:
+    """A named set of choices; `otherwise` has those that are not the default, by reading."""
+
+    id: str
+    title: str
+    description: str
+    otherwise: Mapping[str, str]
+
+    @property
+    def choices(self) -> dict[str, str]:
+        """Reading -> choice, all of them."""
+        return {each.id: self.otherwise.get(each.id, each.default) for each in READINGS.values()}
+
+
+DEFAULT = Interpretation(
+    id="default",
+    title="Default",
+    description="Every switch as Ridelab reads the paper.",
+    otherwise={},
+)
+FAVOURABLE = Interpretation(
+    id="favourable",
+    title="Favourable",
+    description="No braking moment (Eq. 7 as printed) and RMS over the full course (section 4.2.2); a control interval "
+    "and limits, all ours, that leave the controllers room.",
+    otherwise={
+        "window": "full_course",
+        "braking_moment": "off",
+        "sample_time": "5",
+        "force_limit": "20",
+        "travel_limit": "100",
+    },
+)
+INTERPRETATIONS = {each.id: each for each in (DEFAULT, FAVOURABLE)}
+
+
+def interpretation_of(choices: Mapping[str, str]) -> str | None:
+    """The id of the set that makes just these choices (reading -> choice, all of them), if one does."""
+    return next((each.id for each in INTERPRETATIONS.values() if each.choices == choices), None)

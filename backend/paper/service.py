@@ -11,9 +11,8 @@ from backend.errors import BusyError
 from backend.gate import Gate
 from backend.job_run import JobRun
 from backend.paper import answers, claims, drawings, paper_rows
-from backend.paper.interpretations import DEFAULT, INTERPRETATIONS
 from backend.paper.models import AttributionAnswer, PaperAnswer, PaperFigures, ReadingsAnswer
-from backend.paper.readings import READINGS
+from backend.paper.readings import DEFAULT, INTERPRETATIONS, READINGS
 from backend.paper.report import report
 from backend.paper.rows import PaperRows, Rows
 from backend.runs.reports import page

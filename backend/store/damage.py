@@ -12,7 +12,6 @@ from typing import Any
 from sqlalchemy import Connection, Row, Table, delete, or_, select, update
 
 from backend.db.checksum import is_intact
-from backend.db.clock import Now
 from backend.db.database import Database
 from backend.db.tables import (
     EXPIRED,
@@ -25,6 +24,7 @@ from backend.db.tables import (
     results,
     run_results,
 )
+from backend.db.types import Now
 from backend.metrics import DAMAGED_RESULTS
 from backend.store.job import FINAL
 from backend.store.jobs import change_state, lock

@@ -14,9 +14,9 @@ from sqlalchemy import ColumnElement, Connection, Row, Select, and_, case, delet
 from sqlalchemy.exc import IntegrityError
 
 from backend.db.checksum import UNCHECKED, update_row
-from backend.db.clock import UNSTORED, Now
 from backend.db.database import RowStore, insert_new
 from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, trials
+from backend.db.types import UNSTORED, Now
 from backend.errors import DamagedError
 from backend.job_run import JobRun
 from backend.json_types import JsonObject

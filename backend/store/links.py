@@ -8,9 +8,9 @@ from typing import Literal
 from sqlalchemy import Connection, select
 
 from backend.db.checksum import is_intact
-from backend.db.clock import UNSTORED
 from backend.db.database import RowStore, insert_new
 from backend.db.tables import EXPIRED, REMOVED, jobs, links, pinned_series, results, run_results
+from backend.db.types import UNSTORED
 from backend.json_types import JsonObject
 from backend.store.damage import drop_pins
 

@@ -5,9 +5,9 @@ from collections.abc import Iterable
 from sqlalchemy import select
 
 from backend.db.checksum import update_row
-from backend.db.clock import Now
 from backend.db.database import RowStore, insert_new
 from backend.db.tables import recordings
+from backend.db.types import Now
 from sim_core.scenario.recorded import RecordedDrive
 
 

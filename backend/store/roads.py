@@ -6,9 +6,9 @@ from collections.abc import Iterable
 from sqlalchemy import select
 
 from backend.db.checksum import update_row
-from backend.db.clock import Now
 from backend.db.database import RowStore, insert_new
 from backend.db.tables import roads
+from backend.db.types import Now
 from backend.json_types import JsonObject
 from sim_core.scenario.measured import ID_PATTERN, MeasuredRoad
 

@@ -8,9 +8,9 @@ from typing import Any
 from sqlalchemy import Connection, Select, bindparam, delete, insert, select
 
 from backend.db.checksum import check, update_row
-from backend.db.clock import UNSTORED
 from backend.db.database import RowStore, dialect_insert, insert_new
 from backend.db.tables import EXPIRED, results, run_recordings, run_results, run_roads, runs
+from backend.db.types import UNSTORED
 from backend.errors import DamagedError
 from backend.json_types import JsonObject
 from backend.outcome import Outcome

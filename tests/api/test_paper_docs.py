@@ -11,8 +11,7 @@ import httpx
 import pytest
 
 from backend.paper.claims import WINDOW
-from backend.paper.interpretations import INTERPRETATIONS
-from backend.paper.readings import READINGS
+from backend.paper.readings import INTERPRETATIONS, READINGS
 from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
 

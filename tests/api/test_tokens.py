@@ -19,8 +19,7 @@ from backend.command_error import CommandError
 from backend.db.checksum import UNCHECKED
 from backend.db.tables import jobs
 from backend.http import openapi
-from backend.http.logins import COOKIE, LIFETIME, MAX_CHECKED, RECHECK_AFTER, Logins
-from backend.http.tokens import Caller, Tokens, cookie_key
+from backend.http.tokens import COOKIE, LIFETIME, MAX_CHECKED, RECHECK_AFTER, Caller, Logins, Tokens, cookie_key
 from backend.settings import Settings
 from backend.store import Store
 from backend.token_file import read_tokens

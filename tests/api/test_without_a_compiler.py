@@ -16,9 +16,8 @@ from backend.paper import models
 from backend.store import Store
 from tests.client.cli import Cli
 from tests.html import check, read
-from tests.servers.api import Api
 from tests.servers.compilers import Bare
-from tests.servers.process import HANG_TIMEOUT
+from tests.servers.process import HANG_TIMEOUT, Api
 from tests.servers.reproduction import store_without_ecu
 
 REASON = "Nobody drove there"

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Any
 
-from tests.servers.api import Api, ask
+from tests.servers.process import Api, ask
 
 
 class Server(Api):

@@ -17,11 +17,10 @@ import pytest
 from sqlalchemy import make_url
 
 from tests.api.own_laws import LAW
-from tests.servers.api import ask
 from tests.servers.compose import Topology
 from tests.servers.leader import leader
 from tests.servers.postgres import Postgres
-from tests.servers.process import HANG_TIMEOUT, Program, request, wait_until
+from tests.servers.process import HANG_TIMEOUT, Program, ask, request, wait_until
 
 SHORT = {"length": 120, "bump": {"start": 90}}
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.servers.api import Api
+from tests.servers.process import Api
 
 
 @pytest.fixture(scope="module")

@@ -17,7 +17,7 @@ import httpx
 import numpy as np
 import pytest
 
-from backend.http.logins import LIFETIME
+from backend.http.tokens import LIFETIME
 from tests.faults.clock import Clock
 from tests.faults.conftest import Process
 from tests.faults.test_batches import finished, submit

@@ -23,11 +23,10 @@ from sqlalchemy import func, select
 
 from backend.db.tables import results
 from tests.servers.accepted import Accepted
-from tests.servers.api import Api
 from tests.servers.compose import Topology
 from tests.servers.forwarder import DIRECTIONS, Direction, Forwarder
 from tests.servers.postgres import Postgres
-from tests.servers.process import FORK_SERVER, Program, wait_until
+from tests.servers.process import FORK_SERVER, Api, Program, wait_until
 
 KILLS = int(os.environ.get("DRILL_KILLS", "50"))
 SEED = int(os.environ.get("DRILL_SEED", "1"))

@@ -20,8 +20,7 @@ import pytest
 from backend.db.backup import back_up
 from backend.settings import Settings
 from tests.servers.accepted import Accepted
-from tests.servers.api import Api
-from tests.servers.process import HANG_TIMEOUT, request
+from tests.servers.process import HANG_TIMEOUT, Api, request
 
 HELD = 8.0  # how long another program holds a lock [s]
 COPIES = 4

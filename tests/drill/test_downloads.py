@@ -11,9 +11,8 @@ from pathlib import Path
 
 from backend.http.server import GuardedProtocol
 from sim_core.strategies import STRATEGIES
-from tests.servers.api import Api, ask
 from tests.servers.downloads import Watch, download, opened, proportional_mb, spooled
-from tests.servers.process import wait_until
+from tests.servers.process import Api, ask, wait_until
 
 SERVICE, WORKER = 700, 500  # at most [MB]
 LEFT = 70  # in the service, of answers that were sent: 29 are measured, 122 without `return_freed_memory` [MB]

@@ -12,8 +12,7 @@ import pytest
 
 from sim_core.strategies import STRATEGIES
 from tests.drill.loop_probe import LIMIT
-from tests.servers.api import Api, ask
-from tests.servers.process import HANG_TIMEOUT, request, wait_until
+from tests.servers.process import HANG_TIMEOUT, Api, ask, request, wait_until
 
 NINE = list(STRATEGIES)
 ROAD = "distance [m],height [mm]\n" + "".join(f"{0.01 * step:.2f},{step % 7}\n" for step in range(200_000))

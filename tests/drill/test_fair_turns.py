@@ -22,8 +22,8 @@ import pytest
 from sim_core.strategies import STRATEGIES
 from tests.drill.callers import Caller, new_run, quantile
 from tests.servers import loops
-from tests.servers.api import Api
 from tests.servers.postgres import Postgres
+from tests.servers.process import Api
 
 SECONDS = float(os.environ.get("DRILL_SECONDS", "60"))
 LONGEST = 2.0  # that 95 % of the other client's runs may take; alone they take 0.1 [s]

@@ -6,7 +6,7 @@ import pytest
 
 from tests.drill.callers import Caller, served
 from tests.servers import loops
-from tests.servers.api import Api
+from tests.servers.process import Api
 
 OTHERS = [f"127.0.0.{number}" for number in range(3, 49)]
 SECONDS = 30.0

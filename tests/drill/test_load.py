@@ -18,7 +18,7 @@ import pytest
 
 from tests.drill.callers import Caller, new_run, quantile, run_id
 from tests.servers import loops
-from tests.servers.api import Api
+from tests.servers.process import Api
 
 SECONDS = float(os.environ.get("DRILL_SECONDS", "60"))
 WARM_UP = 5.0  # [s]

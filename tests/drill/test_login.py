@@ -5,8 +5,7 @@ from pathlib import Path
 from playwright.sync_api import Browser
 
 from tests.browser.dashboard import Dashboard, expect
-from tests.servers.api import Api
-from tests.servers.process import request
+from tests.servers.process import Api, request
 
 TOKEN = "ann-0123456789abcdef"  # noqa: S105  # nobody's
 

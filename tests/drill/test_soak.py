@@ -13,8 +13,7 @@ import numpy as np
 import psutil
 import pytest
 
-from tests.servers.api import Api, ask
-from tests.servers.process import request
+from tests.servers.process import Api, ask, request
 
 SECONDS = float(os.environ.get("DRILL_SECONDS", "10800"))
 SEED = int(os.environ.get("DRILL_SEED", "1"))

@@ -16,8 +16,7 @@ from backend.roads.opencrg import as_binary
 from sim_core.scenario.measured import MeasuredRoad
 from tests.drill.callers import quantile, served
 from tests.servers import loops
-from tests.servers.api import Api
-from tests.servers.process import HANG_TIMEOUT
+from tests.servers.process import HANG_TIMEOUT, Api
 
 SECONDS = 30.0
 OTHER = "127.0.0.2"

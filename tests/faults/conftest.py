@@ -11,8 +11,7 @@ import pytest
 from backend.compute.workers import RESERVED
 from backend.store import Store
 from tests.data import release
-from tests.servers.api import Api
-from tests.servers.process import HANG_TIMEOUT, is_worker, wait_until
+from tests.servers.process import HANG_TIMEOUT, Api, is_worker, wait_until
 
 PAGE = '<!doctype html><html><head><meta charset="utf-8"><title>Ridelab</title></head><body></body></html>'
 

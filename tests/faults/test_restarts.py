@@ -17,8 +17,7 @@ import pytest
 
 from tests.api import tuning
 from tests.servers.accepted import Accepted
-from tests.servers.api import Api, ask
-from tests.servers.process import HANG_TIMEOUT, request, wait_until
+from tests.servers.process import HANG_TIMEOUT, Api, ask, request, wait_until
 
 RUNS = 60  # of each batch: some seconds of one core, so that it is under way when the service ends
 SHORT = {"road": {"length": 131.7}}

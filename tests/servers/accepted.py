@@ -8,8 +8,7 @@ from sqlalchemy import NullPool, create_engine, func, select, text
 from backend.db.tables import job_runs, results
 from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate
-from tests.servers.api import ask
-from tests.servers.process import HANG_TIMEOUT, wait_until
+from tests.servers.process import HANG_TIMEOUT, ask, wait_until
 
 
 @dataclass

@@ -8,8 +8,7 @@ from pathlib import Path
 
 import psutil
 
-from tests.servers.api import Api
-from tests.servers.process import HANG_TIMEOUT
+from tests.servers.process import HANG_TIMEOUT, Api
 
 
 class Watch:

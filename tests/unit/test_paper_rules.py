@@ -11,9 +11,8 @@ import pytest
 from backend.paper import answers, claims
 from backend.paper.attribution import FACTORS, VARIANTS, shares
 from backend.paper.claims import FIGURES, Verdict, judge, scenario_for, verdict
-from backend.paper.interpretations import DEFAULT, FAVOURABLE, INTERPRETATIONS, interpretation_of
 from backend.paper.paper_rows import compute_row
-from backend.paper.readings import OURS, READINGS
+from backend.paper.readings import DEFAULT, FAVOURABLE, INTERPRETATIONS, OURS, READINGS, interpretation_of
 from backend.paper.tables import ABSOLUTES, TABLES, cells
 from sim_core import Road, Scenario, simulate
 from sim_core.catalogue import PAPER_SIGNALS

@@ -9,9 +9,8 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import options, recorded, requirements, targets
-from ridelab.cli.reporting import DIFFERENT, InputError, folder_of, print_json
+from ridelab.cli.reporting import DIFFERENT, InputError, folder_of, print_json, show_table, shown, with_unit
 from ridelab.cli.service import Services
-from ridelab.cli.tables import show_table, shown, with_unit
 from ridelab.requirements import FAIL, PASS, RequirementResult, failing
 from ridelab.results import Figure, RunResult, flat
 

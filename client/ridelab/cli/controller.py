@@ -9,9 +9,8 @@ import typer
 
 from ridelab.cli import fields, options
 from ridelab.cli.names import Names
-from ridelab.cli.reporting import InputError, check_out, deliver, note, print_json
+from ridelab.cli.reporting import InputError, check_out, deliver, note, print_json, show_table
 from ridelab.cli.service import Services, end_as_server
-from ridelab.cli.tables import show_table
 
 _OUT = "Write the C sources there, as a zip; - is stdout."
 _PROGRAM = "Drive this program, built from those sources."

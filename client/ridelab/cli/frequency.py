@@ -8,9 +8,8 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import fields, options
-from ridelab.cli.reporting import InputError, print_json
+from ridelab.cli.reporting import InputError, print_json, show_table
 from ridelab.cli.service import Services
-from ridelab.cli.tables import show_table
 
 _STAGES = ("cruise", "brake", "bump")
 _STAGE = "Driving stage whose weights hold: cruise, brake or bump."

@@ -5,9 +5,8 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import fields, options, targets
-from ridelab.cli.reporting import InputError, print_json
+from ridelab.cli.reporting import InputError, print_json, show_table
 from ridelab.cli.service import Services
-from ridelab.cli.tables import show_table
 
 _RUN = "Id or address of a run or link; or a scenario, which is run first."
 _WHOSE = "Whose controller [default: the run's first; of a scenario lv]."

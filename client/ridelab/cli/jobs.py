@@ -6,9 +6,8 @@ import typer
 
 from ridelab.cli import options, targets
 from ridelab.cli.following import follow_to_end, resume_command, say_end
-from ridelab.cli.reporting import note, print_json, say
+from ridelab.cli.reporting import note, print_json, say, show_table
 from ridelab.cli.service import Services
-from ridelab.cli.tables import show_table
 from ridelab.jobs import Job
 
 JobId = Annotated[str, typer.Argument(metavar="JOB", help="Id of a batch or a tuning.")]

@@ -6,9 +6,8 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import options
-from ridelab.cli.reporting import InputError, print_json
+from ridelab.cli.reporting import InputError, print_json, show_table, shown
 from ridelab.cli.service import Services
-from ridelab.cli.tables import show_table, shown
 from ridelab.fields import fields_of
 
 _WORDS = "Only those that have all these words in what is said of them."

@@ -7,9 +7,8 @@ import typer
 
 from ridelab.cli import options
 from ridelab.cli.names import Names
-from ridelab.cli.reporting import InputError, deliver, folder_of, note, print_json
+from ridelab.cli.reporting import InputError, deliver, folder_of, note, print_json, show_table
 from ridelab.cli.service import Services
-from ridelab.cli.tables import show_table
 
 _HEADS = ("table", "figure", "strategy", "against", "printed", "change", "ours", "change", "95 %", "verdict")
 _BLIND = ("without preview", "95 %", "verdict")

@@ -10,9 +10,8 @@ from xml.etree import ElementTree
 
 from ridelab.cli import options
 from ridelab.cli.fields import read
-from ridelab.cli.reporting import InputError, folder_of
+from ridelab.cli.reporting import InputError, folder_of, show_table
 from ridelab.cli.service import Services
-from ridelab.cli.tables import show_table
 from ridelab.cli.targets import document
 from ridelab.files import save
 from ridelab.requirements import FAIL, PASS, UNCERTAIN, FailingRun, Requirement, RequirementResult

@@ -10,9 +10,8 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import options
-from ridelab.cli.reporting import InputError, deliver, print_json
+from ridelab.cli.reporting import InputError, deliver, print_json, show_table
 from ridelab.cli.service import Services
-from ridelab.cli.tables import show_table
 from ridelab.client import Ridelab
 
 _WHICH = (

@@ -7,9 +7,8 @@ import typer
 
 from ridelab.cli import fields, options
 from ridelab.cli.following import follow_to_end, say_end, submit_job
-from ridelab.cli.reporting import InputError, print_json
+from ridelab.cli.reporting import InputError, print_json, show_table, shown, with_unit
 from ridelab.cli.service import Services
-from ridelab.cli.tables import show_table, shown, with_unit
 from ridelab.jobs import Batch
 
 _FOLLOWED = 2  # fields named beside a figure

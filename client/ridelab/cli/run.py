@@ -6,9 +6,8 @@ import typer
 
 from ridelab.cli import fields, options, requirements, targets
 from ridelab.cli.names import Names
-from ridelab.cli.reporting import DIFFERENT, InputError, note, print_json
+from ridelab.cli.reporting import DIFFERENT, InputError, note, print_json, show_table
 from ridelab.cli.service import Services
-from ridelab.cli.tables import show_table
 from ridelab.requirements import failing
 from ridelab.results import Interval, Outcome, RunResult
 

@@ -10,9 +10,17 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import fields, following, options, requirements, targets
-from ridelab.cli.reporting import DIFFERENT, InputError, deliver, note, output_format, print_json_rows
+from ridelab.cli.reporting import (
+    DIFFERENT,
+    InputError,
+    deliver,
+    note,
+    output_format,
+    print_json_rows,
+    show_table,
+    with_unit,
+)
 from ridelab.cli.service import Services
-from ridelab.cli.tables import show_table, with_unit
 from ridelab.errors import RidelabClientError
 from ridelab.jobs import Batch
 from ridelab.requirements import failing

@@ -10,9 +10,8 @@ import typer
 
 from ridelab.cli import fields, following, options
 from ridelab.cli.names import Names
-from ridelab.cli.reporting import DIFFERENT, InputError, note, print_json
+from ridelab.cli.reporting import DIFFERENT, InputError, note, print_json, show_table, shown, with_unit
 from ridelab.cli.service import Services
-from ridelab.cli.tables import show_table, shown, with_unit
 from ridelab.files import save
 from ridelab.jobs import Tuning
 

@@ -10,9 +10,8 @@ import typer
 from ridelab.cli import options
 from ridelab.cli.fields import VEHICLE, vehicle_of
 from ridelab.cli.lists import vehicles
-from ridelab.cli.reporting import InputError, check_out, deliver, print_json
+from ridelab.cli.reporting import InputError, check_out, deliver, print_json, show_table, with_unit
 from ridelab.cli.service import Services
-from ridelab.cli.tables import show_table, with_unit
 from ridelab.cli.targets import document
 
 _WHICH = "A vehicle's name, or a file with one; without it all are listed."

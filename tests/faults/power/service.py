@@ -11,8 +11,7 @@ from typing import Any
 import numpy as np
 
 from tests.faults.power.disk import NOTE, Disk, Record, note, read, recording
-from tests.servers.api import Api, ask
-from tests.servers.process import wait_until
+from tests.servers.process import Api, ask, wait_until
 
 PROGRESS = {"state", "position", "done", "failed", "core_version", "started_at", "finished_at"}
 ROAD = {"length": 60, "bump": {"start": 40}}
