@@ -55,8 +55,8 @@ def buffers(arrays: Iterable[NDArray[Any]]) -> dict[int, int]:
 class Cache:
     """Least-recently-used cache of the results of pure functions, of at most so many bytes.
 
-    An entry keeps its arguments alive, and their arrays with them, so they count as its result does; what several
-    entries hold counts once.
+    The arrays of an entry's arguments count as those of its result do, since it keeps both in memory; an array of
+    several entries counts once.
     """
 
     def __init__(self, max_bytes: int) -> None:

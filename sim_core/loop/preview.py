@@ -2,7 +2,7 @@
 
 none: the road ahead is taken as level. wheelbase: the rear axle will meet what the front has already driven.
 lookahead: the sensors that find the bump give the road for the whole horizon, and the speed plan is known.
-obstacle: of that road they give the bump alone.
+obstacle: those sensors give the bump alone, without the roughness.
 """
 
 from dataclasses import dataclass

@@ -12,7 +12,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS, WINDOWS
-from sim_core.kernel.record import SIGNALS, Recorder
+from sim_core.kernel.record import Recorder
 from sim_core.loop.run import Recording, Run
 from sim_core.metrics.windows import Windows, section_ends
 from sim_core.result import Series, StrategyResult
@@ -38,7 +38,7 @@ def evaluate(run: Run, windows: Windows, recorder: Recorder, recording: Recordin
     travel = max(whole["front_deflection"]["peak"], whole["rear_deflection"]["peak"])
 
     def columns() -> Mapping[str, FloatArray]:
-        return dict(zip(METRIC_SIGNALS, recording.table()[SIGNALS - len(METRIC_SIGNALS) :], strict=True))
+        return dict(zip(METRIC_SIGNALS, recording.table()[-len(METRIC_SIGNALS) :], strict=True))
 
     return StrategyResult(
         strategy=controller.id,

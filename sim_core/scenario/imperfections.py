@@ -64,7 +64,7 @@ class Mismatch(Part):
     )
 
     def real(self, vehicle: Vehicle) -> Vehicle:
-        """The car that is driven where the controllers believe in that one."""
+        """The car that is driven: the one that controllers believe in, with these errors."""
         if (self.body_mass, self.springs, self.damping, self.tyres, self.rebound_ratio) == (1, 1, 1, 1, 1):
             return vehicle
         factors = {

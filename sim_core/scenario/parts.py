@@ -246,7 +246,7 @@ class Scenario(Part):
     _recordings: dict[str, RecordedDrive] = PrivateAttr(default_factory=dict)
 
     def on(self, measured: MeasuredRoad) -> "Scenario":
-        """The scenario with the heights of its `road.profile`: no name of a road holds any, and the core reads none.
+        """The scenario with the heights of the measured road that `road.profile` names, without which it is not driven.
 
         Where it was given no `road.length`, it has the profile's from here on.
 

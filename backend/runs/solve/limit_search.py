@@ -99,7 +99,7 @@ def bracket(axis: Axis, limit: float, bounds: Bounds) -> tuple[int | None, int]:
 
 
 def _brent(low: int, high: int, limit: float, bounds: Bounds) -> int | None:
-    """What Brent's method tries next between these, played again with what is known; None where it has ended."""
+    """What Brent's method tries next between these, by what was tried so far; None where it has ended."""
     from scipy.optimize import brentq  # takes a tenth of a second: most processes never need it
 
     finite = [abs(bounds[end] - limit) for end in (low, high) if math.isfinite(bounds[end])]
