@@ -1,5 +1,6 @@
 """The built frontend, the manual and the API's documentation page, from local files only."""
 
+import asyncio
 import base64
 import contextlib
 import hashlib
@@ -170,7 +171,7 @@ def _add_not_found(app: FastAPI, index: Path) -> None:
 
     async def not_found(request: Request, _: Exception) -> Response:
         is_page = not request.url.path.startswith(NO_PAGES) and "text/html" in request.headers.get("accept", "")
-        if request.method == "GET" and is_page and index.is_file():
+        if request.method == "GET" and is_page and await asyncio.to_thread(index.is_file):
             return FileResponse(index, 404, headers={"Cache-Control": "no-cache", "Vary": "Accept"})
         return problem("not-found")
 
