@@ -9,11 +9,10 @@ import type { FigureTemplate } from "../api/types";
 import { axisKey } from "../lab/resultView";
 import { allSamplesQuery } from "../server/queries";
 import { Chart, type ChartFigure } from "./Chart";
-import { fileOf, type Curves } from "./curves";
+import { fileOf, type Curves, type CurvesSource } from "./curves";
 import { axisSignal, axisUnit, buildFigure, overRoads } from "./figure";
 import { chartLayout, PALETTES, type Palette } from "./palettes";
 import { asText, withPlainNames } from "./plotly";
-import type { CurvesSource } from "./Surface";
 
 interface Props {
   readonly template: FigureTemplate;

@@ -6,10 +6,10 @@ import { lazy, useMemo, useState, type ComponentProps, type RefObject } from "re
 import type { FigureTemplate } from "../api/types";
 import { Icon } from "../ui/icons";
 import { LazyPart } from "../ui/LazyPart";
+import type { CurvesSource } from "./curves";
 import { requestPlotly } from "./plotly";
 import type { FigureSource } from "./saved";
 import type { ChartOnPaper } from "./paperChart";
-import type { CurvesSource } from "./Surface";
 
 const EnlargedFigure = lazy(() => import("./EnlargedFigure").then((module) => ({ default: module.EnlargedFigure })));
 const FigureMenu = lazy(() => import("./FigureMenu").then((module) => ({ default: module.FigureMenu })));

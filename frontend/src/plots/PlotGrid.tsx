@@ -8,7 +8,7 @@ import type { Zoom, Axis } from "../lab/address";
 import { useLabContext } from "../lab/context";
 import { useIsolated } from "../lab/isolated";
 import { partShown, type ResultView, axisKey } from "../lab/resultView";
-import { layersOf, sameCurves, type Curves, fileOf } from "./curves";
+import { layersOf, sameCurves, shownCurves, type Curves, type CurvesSource, fileOf } from "./curves";
 import { PALETTES, type Palette } from "./palettes";
 import { EnlargeButton, FigureButton } from "./FigureButton";
 import classes from "./plots.module.css";
@@ -18,7 +18,7 @@ import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
 import { buildFigure, MARGIN, axisUnit } from "./figure";
 import { Overlay } from "./Overlay";
-import { Surface, type CurvesSource } from "./Surface";
+import { Surface } from "./Surface";
 import { useIntersection } from "@mantine/hooks";
 import { printing } from "../lib/printing";
 import type { FigureSource } from "./saved";
@@ -63,6 +63,10 @@ export function useShownCurves(resultView: ResultView): CurvesSource {
     const following = lab.newest.subscribe(follow);
     return () => following.unsubscribe();
   }, [lab, source, still, resultView, ids, other, beside]);
+  useLayoutEffect(() => {
+    shownCurves.set(source);
+    return () => shownCurves.set(null);
+  }, [source]);
   return source;
 }
 

@@ -12,9 +12,6 @@ import classes from "./plots.module.css";
 import type { Numbers } from "../lib/samples";
 import type { Shape } from "./shapes";
 
-/** Curves that change without anything being rendered anew. */
-export type CurvesSource = Pick<ReadonlyAtom<Curves>, "get" | "subscribe">;
-
 interface Props<Drawn> {
   readonly curves: Pick<ReadonlyAtom<Drawn>, "get" | "subscribe">;
   readonly build: (curves: Drawn) => PanelFigure;

@@ -1,6 +1,6 @@
 /** What panels draw: the shown curves, and under them those of the state before the last edit (thin) and of pins (each with a dash). */
 
-import { shallow } from "@tanstack/react-store";
+import { createAtom, shallow, type ReadonlyAtom } from "@tanstack/react-store";
 import type { FigureTemplate, SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
 import type { Axis, Zoom } from "../lab/address";
 import type { ResultView } from "../lab/resultView";
@@ -84,6 +84,12 @@ export interface Curves {
   /** What the curves are differences to. */
   readonly minus?: string;
 }
+
+/** Curves that change without anything being rendered anew. */
+export type CurvesSource = Pick<ReadonlyAtom<Curves>, "get" | "subscribe">;
+
+/** Those of the lab's panels, while there are any. */
+export const shownCurves = createAtom<CurvesSource | null>(null);
 
 type DrawnParts = Pick<Curves, "strategies" | "range" | "layers">;
 

@@ -38,7 +38,7 @@ function furtherRows(names: readonly string[], { width, font }: PaperSize): numb
 const [SYMBOL, LETTER, ROW] = [40, 0.55, 1.4]; // pixels, and parts of the type size
 
 /** The strategies in the colours of light paper, which the template has. */
-const onPaper = ({ data }: FigureTemplate, strategies: Curves["strategies"]) =>
+export const onPaper = ({ data }: FigureTemplate, strategies: Curves["strategies"]) =>
   strategies.map((strategy) => {
     const colour = data.find(({ meta }) => meta.strategy === strategy.id)?.line?.color;
     return typeof colour === "string" ? { ...strategy, colour } : strategy;

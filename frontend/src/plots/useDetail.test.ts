@@ -1,10 +1,13 @@
-import { QueryClient } from "@tanstack/react-query";
-import { expect, it } from "vitest";
+// @vitest-environment happy-dom
+import { QueryClient, QueryClientProvider } from "@tanstack/react-query";
+import { renderHook } from "@testing-library/react";
+import { createElement, type PropsWithChildren } from "react";
+import { expect, it, vi } from "vitest";
 import type { FigureTemplate, OverRoads } from "../api/types";
 import { figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../server/queries";
 import type { ResultView } from "../lab/resultView";
 import type { Result } from "../lab/result";
-import { curvesFrom, layeredFrom } from "./useDetail";
+import { useCurves, useLayered } from "./useDetail";
 
 const numbers = (...values: number[]) => new Float32Array(values);
 const panel = (signal: string) => ({ layout: { meta: { signal } } }) as unknown as FigureTemplate;
@@ -23,6 +26,11 @@ const means = { lv: { speed: numbers(2) } };
 for (const id of ["ten", "before"])
   client.setQueryData(seriesQuery(id, ["lv"], OVERVIEW_POINTS, ["speed"]).queryKey, means);
 
+vi.stubGlobal("fetch", () => new Promise(() => undefined)); // what is not there does not come
+
+const wrapper = ({ children }: PropsWithChildren) => createElement(QueryClientProvider, { client }, children);
+const used = <Value>(hook: () => Value): Value => renderHook(hook, { wrapper }).result.current;
+
 it("beside means stand means, beside one road's curves one road's", () => {
   const resultView = {
     before: { name: "before", shown: result("before", 10) },
@@ -32,7 +40,7 @@ it("beside means stand means, beside one road's curves one road's", () => {
     ],
   };
   const beside = (shown: Result) => {
-    const { before, pins } = layeredFrom(client, { shown, ...resultView });
+    const { before, pins } = used(() => useLayered({ shown, ...resultView }));
     return [before, ...pins].map((each) => each?.shown.series.lv?.speed?.[0]);
   };
   expect(beside(result("ten", 10))).toEqual([2, 1, 1]);
@@ -46,7 +54,7 @@ it("differences are those of the means where both have them over as many roads, 
       differences: true,
       reference: { name: "pin", shown: against },
     } as unknown as ResultView;
-    const curves = curvesFrom(client, resultView);
+    const curves = used(() => useCurves(resultView));
     return [curves.own.shown.over?.roads, curves.other.shown.over?.roads, curves.roads];
   };
   const firstRoad = [undefined, undefined, undefined];

@@ -2,7 +2,7 @@
 
 import { Button, Menu, Modal, Text, Textarea } from "@mantine/core";
 import { Icon, type IconName } from "../../ui/icons";
-import { useMutation, useQueryClient } from "@tanstack/react-query";
+import { useMutation } from "@tanstack/react-query";
 import { useState } from "react";
 import { address } from "../../api/http";
 import { explain } from "../../api/problem";
@@ -18,6 +18,7 @@ import { ControllerFault, useController } from "./useController";
 import { asCommand, asCurl, asPython, type CopyRequest } from "./copyAs";
 import classes from "./export.module.css";
 import { plotsImage } from "./image";
+import { shownCurves } from "../../plots/curves";
 import { useCopied } from "../../ui/useCopied";
 import { compact } from "../../ui/compact";
 import { download } from "../../lib/download";
@@ -34,7 +35,6 @@ export function ExportMenu() {
   const computed = useLab(({ shown }) => Object.keys(shown?.summaries ?? {}).join());
   const selected = useLab((state) => state.strategies);
   const view = useView();
-  const client = useQueryClient();
   const compared = useCompared();
   const { lab } = useLabContext();
   const [figures, strategies, form] = [useFigures(), useLabStrategies(), useForm()];
@@ -45,12 +45,8 @@ export function ExportMenu() {
 
   const picture = useMutation({
     mutationFn: async (format: "png" | "svg") => {
-      const { shown } = lab.get();
-      if (!shown) return;
-      download(
-        await plotsImage(client, figures, makeResultView(shown, strategies, selected, view, compared), format),
-        `ridelab-${runId ?? "live"}.${format}`,
-      );
+      const curves = shownCurves.get()?.get();
+      if (curves) download(await plotsImage(figures, curves, format), `ridelab-${runId ?? "live"}.${format}`);
     },
   });
   const saveReport = () => {

@@ -1,15 +1,11 @@
 /** All shown plots as one picture. */
 
-import type { QueryClient } from "@tanstack/react-query";
-import { isExtreme } from "../../api/decode";
-import type { FigureTemplate, SeriesByStrategy } from "../../api/types";
+import type { FigureTemplates } from "../../api/types";
 import { buildFigure, axisUnit, overRoads } from "../../plots/figure";
-import { layersOf, ownLaws } from "../../plots/curves";
+import { ownLaws, type Curves } from "../../plots/curves";
 import { ON_PAPER } from "../../plots/palettes";
+import { onPaper } from "../../plots/paperFigure";
 import { asText, loadPlotly, withPlainNames, type PlotFigure } from "../../plots/plotly";
-import { drawnOf, subtrahend } from "../../plots/differences";
-import { curvesFrom, layeredFrom, loadDetail } from "../../plots/useDetail";
-import type { ResultView } from "../../lab/resultView";
 
 const WIDTH = 1200;
 const PANEL_HEIGHT = 190;
@@ -18,26 +14,17 @@ const FOOT = 34;
 const LINE = 15;
 const GAP = 0.28; // of a panel, for its title
 
-/** One figure with a row for each panel over one x axis; the series are those on the screen, `other` those of what changes are against. */
-function stackFigures(
-  figures: Readonly<Record<string, FigureTemplate>>,
-  resultView: ResultView,
-  own: SeriesByStrategy,
-  other: SeriesByStrategy,
-): PlotFigure & { readonly height: number } {
+/** One figure with a row for each panel over one x axis. */
+function stackFigures(figures: FigureTemplates, curves: Curves): PlotFigure & { readonly height: number } {
   const templates = Object.values(figures);
-  const { differences, axis } = resultView;
-  const layers = differences ? [] : layersOf(resultView, resultView.shown.runId);
-  const drawn = drawnOf(resultView, own, other);
+  const { axis, minus, roads, runId, coreVersion } = curves;
   const row = 1 / templates.length;
   const built = templates.map((template) =>
     buildFigure({
       template,
-      ...drawn,
-      layers,
-      strategies: resultView.strategies,
-      axis,
-      range: resultView.range,
+      ...curves,
+      isolated: null,
+      strategies: onPaper(template, curves.strategies),
       palette: ON_PAPER,
     }),
   );
@@ -69,7 +56,7 @@ function stackFigures(
     })),
   );
   const annotations: Readonly<Record<string, unknown>>[] = templates.map(({ layout: { meta } }, index) => ({
-    text: `<b>${meta.title}</b> [${meta.unit}]${differences ? `, less ${asText(subtrahend(resultView))}` : ""}`,
+    text: `<b>${meta.title}</b> [${meta.unit}]${minus === undefined ? "" : `, less ${asText(minus)}`}`,
     xref: "paper",
     yref: "paper",
     x: 0,
@@ -79,12 +66,8 @@ function stackFigures(
     showarrow: false,
     font: { size: 13, color: ON_PAPER.text },
   }));
-  const { runId, coreVersion } = resultView.shown;
-  const roads = Object.values(own).some((series) => Object.keys(series).some(isExtreme))
-    ? resultView.shown.over?.roads
-    : undefined;
   const source = `Ridelab core ${coreVersion}${runId === null ? ", a live preview" : `, run ${runId}`}`;
-  const laws = ownLaws(resultView).map(asText);
+  const laws = ownLaws(curves).map(asText);
   const foot = FOOT + LINE * laws.length;
   annotations.push({
     text: [source, ...laws].join("<br>"),
@@ -107,7 +90,7 @@ function stackFigures(
       shapes,
       annotations,
       title: {
-        text: `Ridelab: time histories over ${resultView.axis} [${axisUnit(resultView.axis)}]${roads === undefined ? "" : `. ${overRoads(roads, differences)}`}`,
+        text: `Ridelab: time histories over ${axis} [${axisUnit(axis)}]${roads === undefined ? "" : `. ${overRoads(roads, minus !== undefined)}`}`,
         font: { size: 15 },
         x: 0.03,
       },
@@ -121,23 +104,8 @@ function stackFigures(
   };
 }
 
-export async function plotsImage(
-  client: QueryClient,
-  figures: Readonly<Record<string, FigureTemplate>>,
-  resultView: ResultView,
-  format: "png" | "svg",
-): Promise<string> {
-  const curves = curvesFrom(client, resultView);
-  const [plotly, own, other] = await Promise.all([
-    loadPlotly(),
-    loadDetail(client, curves.own),
-    loadDetail(client, curves.other),
-  ]);
-  const { height, ...figure } = stackFigures(
-    figures,
-    { ...resultView, ...layeredFrom(client, resultView) },
-    own,
-    other,
-  );
+export async function plotsImage(figures: FigureTemplates, curves: Curves, format: "png" | "svg"): Promise<string> {
+  const { height, ...figure } = stackFigures(figures, curves);
+  const plotly = await loadPlotly();
   return plotly.toImage(figure, { format, width: WIDTH, height, scale: format === "png" ? 2 : 1 });
 }
