@@ -51,8 +51,9 @@ export interface LineTrace {
 export interface BarTrace {
   readonly type: "bar";
   readonly name: string;
+  readonly orientation?: "h";
   readonly x: readonly (number | string)[];
-  readonly y: readonly number[];
+  readonly y: readonly (number | string)[];
   readonly width?: readonly number[];
   readonly showlegend?: boolean;
   readonly marker: Options;

@@ -9,9 +9,14 @@ import type { Caveat } from "./caveats";
 import ui from "../../ui/ui.module.css";
 import { UnstyledButton } from "@mantine/core";
 
-const ARROW = { better: "▼", worse: "▲", same: "", luck: "", unclear: "", none: "" } as const;
+const ARROW = { better: "▼", worse: "▲", same: "", luck: "", unclear: "≈", none: "" } as const;
 
-const WORDS = { better: "better", worse: "worse", luck: "within one road’s luck", unclear: "unclear" } as const;
+const WORDS = {
+  better: "better",
+  worse: "worse",
+  luck: "within one road’s luck",
+  unclear: "no certain difference",
+} as const;
 
 interface Props {
   readonly value: number | null | undefined;
@@ -32,6 +37,26 @@ export function ChangeText({ change }: { readonly change: Change | null }) {
       <span aria-hidden>{ARROW[verdict]}</span> {formatPercent(percent, half)}
       {verdict in WORDS && <span className="visually-hidden">, {WORDS[verdict as keyof typeof WORDS]}</span>}
     </span>
+  );
+}
+
+interface SureProps {
+  readonly value: number;
+  /** Its interval's ends, where it has one. */
+  readonly low: number | null;
+  readonly high: number | null;
+  /** The interval in words. */
+  readonly children: string;
+}
+
+/** A change [%] that is better or worse only where its whole interval is. */
+export function SureChange({ value, low, high, children }: SureProps) {
+  const verdict = high !== null && high < 0 ? "better" : low !== null && low > 0 ? "worse" : "unclear";
+  return (
+    <>
+      <ChangeText change={{ percent: value, half: 0, verdict }} />
+      <span className={ui.under}>{children}</span>
+    </>
   );
 }
 

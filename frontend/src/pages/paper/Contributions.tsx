@@ -1,6 +1,6 @@
 /** What each part of LV control contributes: the comparisons the paper does not make. */
 
-import { Text, Box } from "@mantine/core";
+import { Text, useComputedColorScheme } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import type { Choices } from "./choices";
 import { FairTable } from "./FairTable";
@@ -11,12 +11,16 @@ import { Fault, Waiting } from "./Waiting";
 import type { Labels } from "../../server/labels";
 import type { Attribution } from "../../api/types";
 import { formatPercent } from "../../features/tables/change";
-import changes from "../../features/tables/tables.module.css";
+import { SureChange } from "../../features/tables/ChangeMark";
 import { metricKey } from "./fair";
 import ui from "../../ui/ui.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { formatFixed } from "../../units/format";
-import parts from "./parts.module.css";
+import { useMemo, useRef } from "react";
+import { Chart, type ChartFigure } from "../../plots/Chart";
+import { ChartButton } from "../../plots/FigureButton";
+import { chartLayout, ON_PAPER, PALETTES, type Palette } from "../../plots/palettes";
+import { Card } from "../../ui/Card";
 
 interface Props {
   readonly choices: Choices;
@@ -78,8 +82,6 @@ interface EqualSpeedProps {
 
 type Pair = Attribution["equal_speed"][number];
 
-type Change = Pair["cells"][number];
-
 /** Pairs at the same speed plan: what is left of a gain when nobody slows down alone. */
 function EqualSpeed({ pairs, words }: EqualSpeedProps) {
   const [first] = pairs;
@@ -97,27 +99,25 @@ function EqualSpeed({ pairs, words }: EqualSpeedProps) {
           key: metricKey(metric),
           group: words.view(metric),
           head: words.signal(metric.signal),
-          cell: ({ cells }) => cells[index] && <Sure cell={cells[index]} />,
+          cell({ cells }) {
+            const { our_change: value = NaN, ci = [] } = cells[index] ?? {};
+            const [low = null, high = null] = ci;
+            return <SureChange {...{ value, low, high }}>{spreadOf(value, ci)}</SureChange>;
+          },
         })),
       ]}
     />
   );
 }
 
-/** Better or worse only where the whole interval says so. */
-function Sure({ cell: { our_change: change, ci } }: { readonly cell: Change }) {
-  const [low = NaN, high = NaN] = ci;
-  const verdict = high < 0 ? "better" : low > 0 ? "worse" : "same";
-  return (
-    <>
-      <span className={changes.change} data-verdict={verdict}>
-        <span aria-hidden>{verdict === "better" ? "▼" : verdict === "worse" ? "▲" : "≈"}</span> {formatPercent(change)}
-        <span className="visually-hidden">, {verdict === "same" ? "no certain difference" : verdict}</span>
-      </span>
-      <span className={ui.under}>{spreadOf(change, ci)}</span>
-    </>
-  );
-}
+/** 3:1 and more on white and on #1a1b1e, and apart with any colour vision. */
+const PARTS = [
+  { part: "speed", label: "Lower speed", colour: "#7c5bd6" },
+  { part: "preview", label: "Preview", colour: "#0d8f8f" },
+  { part: "switching", label: "Weight switching", colour: "#c77700" },
+] as const;
+
+type Share = Attribution["shares"][number];
 
 interface ShareBarsProps {
   readonly shares: readonly Share[];
@@ -125,115 +125,90 @@ interface ShareBarsProps {
 }
 
 function ShareBars({ shares, words }: ShareBarsProps) {
-  const scale = scaleOf(shares);
+  const palette = PALETTES[useComputedColorScheme("light")];
+  const host = useRef<HTMLDivElement>(null);
+  const figure = useMemo(() => sharesFigure(shares, words, palette), [shares, words, palette]);
   return (
-    <DataTable
-      label="Shares of LV’s gain"
-      card
-      attributes={{ "data-testid": "shares" }}
-      rows={shares}
-      rowKey={({ window, signal }) => `${window} ${signal}`}
-      columns={[
-        {
-          key: "figure",
-          head: "Figure",
-          text: true,
-          cell: (share) => (
-            <>
-              {words.signal(share.signal)} <span className={ui.dim}>{words.view(share)}</span>
-            </>
-          ),
-        },
-        { key: "whole", head: "Whole change", cell: ({ total_change: change }) => <b>{formatPercent(change)}</b> },
-        ...PARTS.map(({ part, label }): Column<Share> => ({
-          key: part,
-          head: (
-            <span className={ui.named}>
-              <span className={`${ui.swatch} ${parts.part}`} data-part={part} aria-hidden />
-              {label}
-            </span>
-          ),
-          cell: (share) => `${formatFixed(share[part], 0)} %`,
-        })),
-        {
-          key: "bar",
-          head: <Ends scale={scale} />,
-          headAttributes: { className: parts.track },
-          cell: (share) => <Bar share={share} scale={scale} />,
-        },
-      ]}
-    />
-  );
-}
-
-interface Scaled {
-  readonly scale: readonly [number, number];
-}
-
-const offsetOf = (value: number, [low, high]: Scaled["scale"]) => `${((value - low) / (high - low)) * 100}%`;
-
-function Ends({ scale }: Scaled) {
-  return (
-    <span className={parts.ends}>
-      <span className="visually-hidden">Bar, from </span>
-      {[0, 100].map((value) => (
-        <span key={value} style={{ left: offsetOf(value, scale) }}>
-          {value} %
-        </span>
-      ))}
-    </span>
-  );
-}
-
-function Bar({ share, scale }: Scaled & { readonly share: Share }) {
-  const text = PARTS.map(({ part, label }) => `${label} ${formatFixed(share[part], 0)} %`).join(", ");
-  return (
-    <Box pos="relative" h="1rem" role="img" aria-label={text}>
-      {segmentsOf(share).map(({ part, from, to }) => (
-        <span
-          key={part}
-          className={`${parts.part} ${parts.segment}`}
-          data-part={part}
-          style={{ left: offsetOf(from, scale), width: `calc(${offsetOf(to, scale)} - ${offsetOf(from, scale)})` }}
+    <>
+      <Card aria-label="Bars of the shares" pt="xs" mb="0.6rem">
+        <ChartButton
+          title="Shares of LV’s gain"
+          file="ridelab-paper-shares"
+          hostRef={host}
+          draw={() => ({
+            figure: sharesFigure(shares, words, ON_PAPER),
+            legend: PARTS.map(({ label }) => label),
+            table: [
+              ["Figure", ...PARTS.map(({ label }) => `${label} [%]`)],
+              ...shares.map((share) => [nameOf(share, words), ...PARTS.map(({ part }) => share[part])]),
+            ],
+          })}
         />
-      ))}
-      {[0, 100].map((value) => (
-        <span key={value} className={parts.line} style={{ left: offsetOf(value, scale) }} />
-      ))}
-    </Box>
+        <Chart
+          hostRef={host}
+          figure={figure}
+          height={AROUND + ROW * shares.length}
+          label="What lower speed, preview and weight switching add to LV’s gain. Every value stands in the table below."
+        />
+      </Card>
+      <DataTable
+        label="Shares of LV’s gain"
+        card
+        attributes={{ "data-testid": "shares" }}
+        rows={shares}
+        rowKey={({ window, signal }) => `${window} ${signal}`}
+        columns={[
+          {
+            key: "figure",
+            head: "Figure",
+            text: true,
+            cell: (share) => (
+              <>
+                {words.signal(share.signal)} <span className={ui.dim}>{words.view(share)}</span>
+              </>
+            ),
+          },
+          { key: "whole", head: "Whole change", cell: ({ total_change: change }) => <b>{formatPercent(change)}</b> },
+          ...PARTS.map(({ part, label, colour }): Column<Share> => ({
+            key: part,
+            head: (
+              <span className={ui.named}>
+                <span className={ui.swatch} style={{ background: colour }} aria-hidden />
+                {label}
+              </span>
+            ),
+            cell: (share) => `${formatFixed(share[part], 0)} %`,
+          })),
+        ]}
+      />
+    </>
   );
 }
 
-/** Where the bars of the three shares begin and end. Shares may be negative or beyond 100 %. Pure. */
-const PARTS = [
-  { part: "speed", label: "Lower speed" },
-  { part: "preview", label: "Preview" },
-  { part: "switching", label: "Weight switching" },
-] as const;
+/** Of a figure, and of the axis [px]. */
+const [ROW, AROUND] = [26, 60];
 
-type Part = (typeof PARTS)[number]["part"];
-export type Share = Attribution["shares"][number];
+const nameOf = (share: Share, words: Pick<Labels, "signal" | "view">) =>
+  `${words.signal(share.signal)}, ${words.view(share)}`;
 
-interface Segment {
-  readonly part: Part;
-  readonly from: number;
-  readonly to: number;
-}
-
-/** What adds stacks up to the right of zero, what takes away to the left of it [%]. */
-export function segmentsOf(share: Share): readonly Segment[] {
-  let [up, down] = [0, 0];
-  return PARTS.map(({ part }) => {
-    const size = share[part];
-    const from = size >= 0 ? up : down;
-    if (size >= 0) up += size;
-    else down += size;
-    return size >= 0 ? { part, from, to: from + size } : { part, from: from + size, to: from };
-  });
-}
-
-/** One scale for every bar: from the least to the greatest end, 0 and 100 % always in it. */
-export function scaleOf(shares: readonly Share[]): readonly [number, number] {
-  const ends = shares.flatMap((share) => segmentsOf(share).flatMap(({ from, to }) => [from, to]));
-  return [Math.min(0, ...ends), Math.max(100, ...ends)];
+/** What adds stacks up to the right of zero, what takes away to the left of it. */
+function sharesFigure(shares: readonly Share[], words: Pick<Labels, "signal" | "view">, palette: Palette): ChartFigure {
+  const names = shares.map((share) => nameOf(share, words));
+  return {
+    data: PARTS.map(({ part, label, colour }) => ({
+      type: "bar",
+      orientation: "h",
+      name: label,
+      x: shares.map((share) => share[part]),
+      y: names,
+      marker: { color: colour },
+      hovertemplate: `${label} %{x:.0f} %<extra></extra>`,
+    })),
+    layout: chartLayout(palette, {
+      barmode: "relative",
+      margin: { l: 8, r: 16, t: 8, b: 48 },
+      xaxis: { title: { text: "Share of LV’s gain [%]" }, zeroline: true, zerolinecolor: palette.zero },
+      yaxis: { autorange: "reversed" },
+    }),
+  };
 }

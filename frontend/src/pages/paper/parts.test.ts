@@ -2,34 +2,6 @@ import { describe, expect, it } from "vitest";
 import type { Combination } from "../../api/types";
 import { inOrder } from "../../lib/order";
 import { ANY, filtered, NO_FILTER, partOf, rankOf } from "./fair";
-import { scaleOf, segmentsOf, type Share } from "./Contributions";
-
-const share = (speed: number, preview: number, switching: number): Share => ({
-  window: "bump",
-  signal: "body_acceleration",
-  statistic: "peak",
-  total_change: -72,
-  speed,
-  preview,
-  switching,
-});
-
-describe("the shares' bars", () => {
-  it("stack up to 100 % where all add", () => {
-    expect(segmentsOf(share(50, 30, 20))).toEqual([
-      { part: "speed", from: 0, to: 50 },
-      { part: "preview", from: 50, to: 80 },
-      { part: "switching", from: 80, to: 100 },
-    ]);
-  });
-
-  it("go left of zero where a part takes away, and the scale with them", () => {
-    const bars = [share(84, 50, -34), share(50, 30, 20)];
-    expect(segmentsOf(share(84, 50, -34)).at(-1)).toEqual({ part: "switching", from: -34, to: 0 });
-    expect(scaleOf(bars)).toEqual([-34, 134]);
-    expect(scaleOf([])).toEqual([0, 100]);
-  });
-});
 
 const row = (id: string, part: Partial<Combination>): Combination => ({
   id,

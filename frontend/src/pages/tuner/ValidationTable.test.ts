@@ -75,8 +75,8 @@ describe("a gain on validation roads", () => {
 it.each([
   [-4, -6, -2, "▼ −4.0\u2009%, better"],
   [4, 2, 6, "▲ +4.0\u2009%, worse"],
-  [-1, -3, 1, " −1.0\u2009%, unclear"],
-  [-1, null, null, " −1.0\u2009%, unclear"],
+  [-1, -3, 1, "≈ −1.0\u2009%, no certain difference"],
+  [-1, null, null, "≈ −1.0\u2009%, no certain difference"],
 ] as const)("a change of %s %% between %s and %s is read out with its verdict", (value, low, high, text) => {
   const figure = { mean: 1, quantile: null, worst: 1, change: { value, low, high } };
   expect(render(createElement(ChangeOf, { figure })).container.firstElementChild?.textContent).toBe(text);

@@ -18,7 +18,7 @@ import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
 import { Note } from "../../ui/Messages";
 import { NameWithUnit } from "../../ui/StrategyKey";
-import { ChangeText } from "../../features/tables/ChangeMark";
+import { ChangeText, SureChange } from "../../features/tables/ChangeMark";
 
 interface Props extends Pick<TuningParts, "tuning" | "objectives"> {
   readonly figures: readonly Metric[];
@@ -174,16 +174,12 @@ function Value({ figure, scale, most }: { readonly figure: TunedFigure | undefin
 export function ChangeOf({ figure: { change } }: { readonly figure: TunedFigure }) {
   if (!change) return <ChangeText change={null} />;
   const { value, low, high } = change;
-  const verdict = high !== null && high < 0 ? "better" : low !== null && low > 0 ? "worse" : "unclear";
   return (
-    <>
-      <ChangeText change={{ percent: value, half: 0, verdict }} />
-      <span className={ui.under}>
-        {low === null || high === null
-          ? "one road"
-          : `${formatPercent(low).replace(/\u2009%$/, "")} to ${formatPercent(high)}`}
-      </span>
-    </>
+    <SureChange {...{ value, low, high }}>
+      {low === null || high === null
+        ? "one road"
+        : `${formatPercent(low).replace(/\u2009%$/, "")} to ${formatPercent(high)}`}
+    </SureChange>
   );
 }
 
