@@ -9,7 +9,6 @@ from typing import Any
 
 import httpx
 import pytest
-import yaml
 
 from backend.batches.robustness import UNCERTAINTIES
 from backend.http.kinds import KINDS
@@ -22,7 +21,7 @@ from sim_core.catalogue import METRICS
 from sim_core.instant import instant
 from sim_core.scenario import Scenario, dotted
 from sim_core.scenario.vehicles import VEHICLES
-from tests.client.cli import ROOT, Cli
+from tests.client.cli import Cli
 from tests.client.conftest import ADDRESS, RUN, SHORT, SLUG, Prepared
 
 OLD = ("-s0h-wlxdeCgHw4J2eqW3g", "--0Zt9MhQy5rUqf5n_Xk7A", "-" + "k" * 21)  # the letters of options, alone and long
@@ -382,24 +381,3 @@ def test_names_are_listed_with_what_a_script_needs(cli: Cli) -> None:
     assert "nor an address; perhaps paper" in cli.error
     cli("strategies", "no", "such", code=2)
     assert "Nothing here has no and such" in cli.error
-
-
-def test_how_to_cite_is_what_the_citation_file_says(cli: Cli) -> None:
-    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
-    (paper,) = citation["references"]
-    authors = " and ".join(each["family-names"] for each in paper["authors"])
-    bibtex = cli("cite", "--bibtex")
-    for name, value in (
-        ("title", citation["title"]),
-        ("version", str(citation["version"])),
-        ("title", paper["title"]),
-        ("author", authors),
-        ("journal", paper["journal"]),
-        ("pages", str(paper["start"])),
-        ("doi", paper["doi"]),
-    ):
-        assert f"  {name} = {{{value}}},\n" in bibtex
-    assert f"doi:{paper['doi']}\n" in cli("cite")
-    ours, theirs = json.loads(cli("cite", "--json"))
-    assert (ours["title"], ours["version"]) == (citation["title"], str(citation["version"]))
-    assert (theirs["DOI"], [each["family"] for each in theirs["author"]]) == (paper["doi"], authors.split(" and "))

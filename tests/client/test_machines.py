@@ -1,4 +1,4 @@
-"""What commands print with --json, for programs to read."""
+"""What commands print with --json, for programs to read, and how to cite, for them and for people."""
 
 import io
 import json
@@ -8,9 +8,10 @@ from typing import Any
 
 import httpx
 import typer
+import yaml
 
 from ridelab.cli import app
-from tests.client.cli import Cli
+from tests.client.cli import ROOT, Cli
 from tests.client.conftest import ADDRESS, RUN, SHORT, Prepared
 
 
@@ -55,3 +56,24 @@ def test_what_becomes_of_jobs_is_said_to_machines(cli: Cli, prepared: Prepared) 
     prepared.answers[f"DELETE {path}"] = httpx.Response(204)
     assert json.loads(cli("jobs", "label", batch, "mine", "--json"))["label"] == "mine"
     assert json.loads(cli("jobs", "delete", batch, "--json")) == [{"kind": "batch", "id": batch}]
+
+
+def test_how_to_cite_is_what_the_citation_file_says(cli: Cli) -> None:
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    (paper,) = citation["references"]
+    authors = " and ".join(each["family-names"] for each in paper["authors"])
+    bibtex = cli("cite", "--bibtex")
+    for name, value in (
+        ("title", citation["title"]),
+        ("version", str(citation["version"])),
+        ("title", paper["title"]),
+        ("author", authors),
+        ("journal", paper["journal"]),
+        ("pages", str(paper["start"])),
+        ("doi", paper["doi"]),
+    ):
+        assert f"  {name} = {{{value}}},\n" in bibtex
+    assert f"doi:{paper['doi']}\n" in cli("cite")
+    ours, theirs = json.loads(cli("cite", "--json"))
+    assert (ours["title"], ours["version"]) == (citation["title"], str(citation["version"]))
+    assert (theirs["DOI"], [each["family"] for each in theirs["author"]]) == (paper["doi"], authors.split(" and "))
