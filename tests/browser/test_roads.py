@@ -67,3 +67,6 @@ def test_several_roads_are_chosen_and_changes_against_a_pin_and_the_state_before
     page.get_by_label("Roads").select_option("1")
     expect(note).to_have_count(0)
     expect(dashboard.panel("body_acceleration")).to_have_attribute("data-drawn", "3")
+    page.get_by_label("Find a field").fill("roughness")
+    dashboard.type_into("Roughness", "0")
+    expect(page.get_by_test_id("changes-note")).to_have_text("A change without an arrow is zero.")

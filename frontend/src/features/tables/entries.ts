@@ -163,7 +163,7 @@ export function oneRoadNoiseOf(
 }
 
 /** Its road is nothing but the bumps. */
-const isSmooth = (scenario: Scenario): boolean =>
+export const isSmooth = (scenario: Scenario): boolean =>
   getAt(scenario, "/road/roughness") === 0 && getAt(scenario, "/road/profile") === null;
 
 export interface WindowView {

@@ -109,7 +109,7 @@ function TourOffer() {
   const { label, disabled, onClick } = useActionButton("tour");
   if (!offered) return null;
   return (
-    <Group gap="0.4rem">
+    <Group gap="0.4rem" data-unprinted>
       <Text size="xs">New here?</Text>
       <Button size="compact-xs" variant="light" disabled={disabled} onClick={onClick}>
         {label}
