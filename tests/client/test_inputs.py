@@ -15,7 +15,7 @@ from ridelab import RunResult, __version__
 from ridelab.cli import app, fields
 from ridelab.cli.compare import Equal, differences, equal_within
 from ridelab.cli.names import Names
-from ridelab.cli.reporting import InputError
+from ridelab.cli.reporting import InputError, show_table
 from ridelab.cli.service import Services
 from ridelab.cli.targets import find
 from sim_core.catalogue import METRICS
@@ -347,3 +347,16 @@ def test_the_client_loads_quickly() -> None:
 
 
 CLIENT = Path(__file__).parents[2] / "client"
+
+
+def test_a_narrow_terminal_breaks_no_figure_and_no_name(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("TERM", "dumb")  # of 80 columns
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
+    metrics = [f"rough_road.{signal}_acceleration.rms [m/s^2]" for signal in ("body", "pitch", "yaw")]
+    show_table(["field", *metrics, "range"], [["road.bump.height", *["0.1458 (-64.0 %)"] * 3, ["cosine", "half_sine"]]])
+    printed = capsys.readouterr().out
+    assert max(map(len, printed.splitlines())) <= 80
+    words = ["road.bump.height", "0.1458", "(-64.0 %)", "acceleration.", "cosine,", "half_sine"]
+    assert [word for word in words if word not in printed] == []

@@ -16,6 +16,7 @@ from typing import Any
 
 import typer
 from rich.console import Console
+from rich.measure import Measurement
 from rich.table import Table
 from typer.core import TyperGroup
 
@@ -180,23 +181,40 @@ def deliver(content: Iterable[bytes], out: str, *, as_json: bool = False, **abou
 
 
 _UNLIMITED = 1000  # columns of a file or a pipe
-_FIGURE = re.compile(r"|-|none| *[-+(]?[\d.].*|- : .*|\(misprint .*|[-+]?inf")
+_IN_NAME = re.compile(r"([._])(?=[a-z])")
+_FIGURE = re.compile(r"|-|none| *[-+(]?[\d.].*|- : .*|\(misprint .*|[-+]?inf", re.DOTALL)
 
 
 def show_table(heads: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
-    """Print a table: columns of figures end at their right edge, those of words begin at their left."""
+    """Print a table: columns of figures end at their right edge, those of words begin at their left.
+
+    Where it is wider than the terminal, a change stands below its value, and names in heads break between their words.
+    """
     looked_at = sys.stdout.isatty()
     console = Console(width=None if looked_at else _UNLIMITED, markup=False, highlight=False, emoji=False)
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="bold")
     texts = [[shown(cell) for cell in row] for row in rows]
-    for column, head in enumerate(heads):
-        figures = all(_FIGURE.fullmatch(row[column]) for row in texts)
-        table.add_column(head, justify="right" if figures else "left", overflow="fold")
-    for row in texts:
-        table.add_row(*row)
+    table = _table(heads, texts)
+    if Measurement.get(console, console.options.update(max_width=_UNLIMITED), table).maximum > console.width:
+        broken = [_IN_NAME.sub(r"\1\n", head) for head in heads]
+        table = _table(broken, [[_narrow(cell) for cell in row] for row in texts])
     with console.capture() as printed:
         console.print(table)
     typer.echo("\n".join(line.rstrip() for line in printed.get().splitlines()))
+
+
+def _table(heads: Sequence[str], texts: Sequence[Sequence[str]]) -> Table:
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="bold")
+    for column, head in enumerate(heads):
+        figures = all(_FIGURE.fullmatch(row[column]) for row in texts)
+        names = column == 0 and not any(" " in row[0] for row in texts)  # they are copied: whole ones
+        table.add_column(head, justify="right" if figures else "left", overflow="fold", no_wrap=names)
+    for row in texts:
+        table.add_row(*row)
+    return table
+
+
+def _narrow(text: str) -> str:
+    return text.replace(" (", "\n(") if _FIGURE.fullmatch(text) else re.sub(r",(?=\w)", ", ", text)
 
 
 def with_unit(name: str, unit: str) -> str:
