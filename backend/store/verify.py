@@ -32,7 +32,7 @@ from backend.store.damage import drop_pins, drop_results, is_intact_result
 
 logger = logging.getLogger(__name__)
 
-PAGE = 500  # rows read in one transaction
+ROWS_AT_ONCE = 500  # rows read in one transaction
 UNREADABLE = (DamagedError, ValueError, TypeError)  # text that is no JSON, no time, or no text; a number for text
 SEALED = (results, pinned_series, runs, links, roads, recordings, jobs, job_runs, trials)
 
@@ -133,7 +133,7 @@ def _structure(database: Database) -> Iterator[str]:
 def _rows(database: Database, table: Table) -> Iterator[tuple[Sequence[Any], Row[Any] | None]]:
     """All rows with their keys, in the keys' order; None for one that cannot even be read as what it is."""
     columns = list(table.primary_key)
-    keys, whole = select(*columns).order_by(*columns).limit(PAGE), select(table).order_by(*columns)
+    keys, whole = select(*columns).order_by(*columns).limit(ROWS_AT_ONCE), select(table).order_by(*columns)
     after: Sequence[Any] | None = None
     while not database.closed:
         behind = true() if after is None else tuple_(*columns) > tuple_(*after)
@@ -142,7 +142,7 @@ def _rows(database: Database, table: Table) -> Iterator[tuple[Sequence[Any], Row
             if not page or page[-1] == after:  # a key that is no text is read as another one
                 return
             try:
-                rows: list[Row[Any] | None] = [*connection.execute(whole.where(behind).limit(PAGE)).all()]
+                rows: list[Row[Any] | None] = [*connection.execute(whole.where(behind).limit(ROWS_AT_ONCE)).all()]
             except UNREADABLE:
                 rows = [_row(connection, whole, columns, key) for key in page]
         yield from zip(page, rows, strict=True)

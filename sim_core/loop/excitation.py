@@ -28,7 +28,7 @@ class TimeGrid:
     Attributes:
         time: Control instants (steps + 1,) [s], 0 when the front axle is at x = 0.
         fine: Fine steps in each control step.
-        before: Control steps before x = 0.
+        run_in_steps: Control steps before x = 0.
         axles: Position of both axles at every fine instant (2, n + 1) [m].
         position: Of the front axle at the control instants that begin a step (steps,) [m].
         speed: Of the car then (steps,) [m/s].
@@ -38,7 +38,7 @@ class TimeGrid:
 
     time: FloatArray
     fine: int
-    before: int
+    run_in_steps: int
     axles: FloatArray
     position: FloatArray
     speed: FloatArray
@@ -158,12 +158,12 @@ def under_axles(excitation: Excitation) -> RoadUnderAxles:
 @cached
 def _sampled(speed_profile: SpeedProfile, length: float, wheelbase: float, step: float, fine: int) -> TimeGrid:
     """The part of `excite` that needs no height; length of the road in m."""
-    before, steps = speed_profile.control_steps(length, step)
+    run_in_steps, steps = speed_profile.control_steps(length, step)
     h = step / fine
 
-    time = h * np.arange(-before * fine, (steps - before) * fine + 1, dtype=np.float64)
+    time = h * np.arange(-run_in_steps * fine, (steps - run_in_steps) * fine + 1, dtype=np.float64)
     position, speed = speed_profile.at(time)
-    first = before * fine
+    first = run_in_steps * fine
     record = slice(first, first + int(speed_profile.time_at(length) / h + 1e-6) + 1)
     series = {
         "time": time[record],
@@ -175,9 +175,9 @@ def _sampled(speed_profile: SpeedProfile, length: float, wheelbase: float, step:
     for values in series.values():
         values.flags.writeable = False
     return TimeGrid(
-        time=step * np.arange(-before, steps - before + 1, dtype=np.float64),
+        time=step * np.arange(-run_in_steps, steps - run_in_steps + 1, dtype=np.float64),
         fine=fine,
-        before=before,
+        run_in_steps=run_in_steps,
         axles=np.stack([position, position - wheelbase]),
         position=position[:-1:fine],
         speed=speed[:-1:fine],
@@ -189,7 +189,7 @@ def _sampled(speed_profile: SpeedProfile, length: float, wheelbase: float, step:
 @cached
 def _braking(speed_profile: SpeedProfile, grid: TimeGrid, step: float) -> FloatArray:
     """Deceleration, held over each fine step (n,) [m/s^2]; apart from the grid, which lives longer."""
-    first, h = -grid.before * grid.fine, step / grid.fine
+    first, h = -grid.run_in_steps * grid.fine, step / grid.fine
     begins = h * np.arange(first, first + grid.axles.shape[1] - 1, dtype=np.float64)
     return speed_profile.sample(speed_profile.braking, begins + h / 2)
 

@@ -138,7 +138,7 @@ class Run:
                 trajectory = loop.run(self.segments)
         finally:
             controller.end()
-        return Recording(car=car, trajectory=trajectory, first=self.excitation.grid.before * self.steps.short)
+        return Recording(car=car, trajectory=trajectory, first=self.excitation.grid.run_in_steps * self.steps.short)
 
     def forecast(self, mode: Preview, horizon: int) -> Forecast:
         """What is expected over so many control steps ahead."""

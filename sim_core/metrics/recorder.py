@@ -20,7 +20,7 @@ def make_recorder(run: Run, windows: Windows) -> Recorder:
     beside, on_bump = surface.slope_range()
     return Recorder(
         fine=grid.fine // short,
-        first=grid.before * short,
+        first=grid.run_in_steps * short,
         ends=windows.ends,
         rise=np.array([beside, on_bump, beside]) * windows.step_distance / 4,  # of the road above a chord, at most
         weighted_samples=len(grid.series["time"]),

@@ -68,8 +68,8 @@ class SpeedProfile:
 
     def control_steps(self, road_length: float, step: float) -> tuple[int, int]:
         """Control steps [s each] before x = 0, and in all over a road [m]: the last begins at its end or before it."""
-        before = ceil(RUN_IN / (self.initial_speed * step))
-        return before, before + int(self.time_at(road_length) / step + 1e-6) + 1
+        run_in_steps = ceil(RUN_IN / (self.initial_speed * step))
+        return run_in_steps, run_in_steps + int(self.time_at(road_length) / step + 1e-6) + 1
 
 
 @lru_cache(maxsize=32)

@@ -73,7 +73,7 @@ def test_a_stage_begins_with_the_same_step_on_either_side_of_rounding() -> None:
         speed_profile = make_speed_profile(scenario, "constant")
         excitation = excite(scenario.road, scenario.vehicle.wheelbase, speed_profile, 0.01, 10)
         stages = segments(spans(scenario, "constant", speed_profile), excitation.grid.position)
-        return {stage: first for stage, first, _ in reversed(stages)}["bump"] - excitation.grid.before
+        return {stage: first for stage, first, _ in reversed(stages)}["bump"] - excitation.grid.run_in_steps
 
     ulp = np.spacing(100.0)
     starts = [100.0, *(100 + distance * ulp for distance in (-1000, -1, 1, 1000)), 100 - 1e-6]
