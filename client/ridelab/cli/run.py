@@ -75,10 +75,10 @@ def with_units(run: RunResult) -> dict[str, Any]:
 def _show(run: RunResult, name: str, baseline: str | None, names: Names) -> None:
     """The paper's signals of each strategy that ran and how its drive went; then why others did not run."""
     against = baseline or run.baseline or ("passive" if "passive" in run.strategies else next(iter(run.strategies)))
-    seed, drive = run.scenario["road"]["seed"], ""
+    seed, drive, computed = run.scenario["road"]["seed"], "", "run"
     if run.roads > 1:
         name = f"{name}, {run.roads} roads (seeds {seed} to {seed + run.roads - 1}; events of {seed})"
-        drive = f"road seed {seed} alone"
+        drive, computed = f"road seed {seed} alone", f"{run.roads} runs"
     typer.echo(f"Ridelab core {run.core_version}, {name}; changes against {names.label(against)}\n")
     ran = {names.label(outcome.strategy): outcome for outcome in run if outcome.status == "ok"}
     base = run[against] if run[against].status == "ok" else None
@@ -87,7 +87,7 @@ def _show(run: RunResult, name: str, baseline: str | None, names: Names) -> None
         rows = [[label, *(_cell(run, outcome, base, metric) for metric in metrics)] for label, outcome in ran.items()]
         show_table([title, *map(names.signal, names.paper_signals)], rows)
         typer.echo()
-    heads = [drive, "travel time", "at the bump", "airborne", "over travel", "QPs", "run"]
+    heads = [drive, "travel time", "at the bump", "airborne", "over travel", "QPs", computed]
     show_table(heads, [[label, *_drive(outcome)] for label, outcome in ran.items()])
     for outcome in run:
         for caveat in _caveats(outcome):
