@@ -150,6 +150,7 @@ class BatchService:
                 "strategies": names,
                 "fields": planned.fields,
                 "linked": sweep.linked or {},
+                "shape": [len(values) for values in (sweep.grid or {}).values()],
                 "notes": planned.notes,
                 **held,
             },

@@ -4,6 +4,9 @@ import math
 from collections import Counter
 from dataclasses import dataclass, field
 
+import numpy as np
+from numpy.typing import NDArray
+
 from backend import digest
 from backend.compute.chunk_messages import ComputeRun
 from backend.job_run import JobRun
@@ -22,10 +25,10 @@ class RunningJob:
         job: The stored job as it was at the start.
         compute: What a worker computes of each run.
         group: Cancels all its chunks together.
-        position: Runs up to this one are computed or sent.
+        order: Positions of its runs in the order in which they are computed.
+        looked_at: So many of them are computed or sent.
         returned: Chunks to send again before new ones are cut.
         open_chunks: Chunks sent and not yet stored.
-        exhausted: Whether the last look saw no waiting run behind `position`.
         last_send: Number of its last chunk among all chunks sent.
         run_seconds: Mean time of a run in the chunks so far [s].
         strikes: How often a run alone lost its processes, by key.
@@ -34,10 +37,10 @@ class RunningJob:
     job: StoredJob
     compute: ComputeRun
     group: str = field(default_factory=digest.random_id)
-    position: int = -1
+    order: NDArray[np.intp]
+    looked_at: int = 0
     returned: list[list[JobRun]] = field(default_factory=list)
     open_chunks: int = 0
-    exhausted: bool = False
     last_send: int = 0
     run_seconds: float | None = None
     strikes: Counter[str] = field(default_factory=Counter)
@@ -46,12 +49,15 @@ class RunningJob:
         """The next chunk, where all jobs have at most `max_chunks` open; empty where every run is sent or done."""
         if self.returned:
             return self.returned.pop(0)
-        while not self.exhausted:
-            last, runs = await store.write(store.job_runs.waiting, self.job.id, self.position, self.size(max_chunks))
-            if last is None:
-                self.exhausted = True
+        while self.looked_at < len(self.order):
+            next_ones = self.order[self.looked_at : self.looked_at + LONGEST_CHUNK].tolist()
+            waiting = await store.write(store.job_runs.waiting, self.job.id, next_ones)
+            by_position = {run.position: run for run in waiting}
+            runs = [by_position[each] for each in next_ones if each in by_position][: self.size(max_chunks)]
+            if len(runs) < len(waiting):
+                self.looked_at += next_ones.index(runs[-1].position) + 1
             else:
-                self.position = last
+                self.looked_at += len(next_ones)
             if runs:
                 return runs
         return []
@@ -86,5 +92,5 @@ class RunningJob:
     def size(self, max_chunks: int) -> int:
         """Runs in the next chunk, where `max_chunks` can be open: at the end the processes share the rest."""
         each = self.run_seconds or self.job.estimated_cost / self.job.total
-        left = self.job.total - 1 - self.position
+        left = len(self.order) - self.looked_at
         return max(1, min(LONGEST_CHUNK, int(CHUNK_SECONDS / max(each, 1e-4)), math.ceil(left / max_chunks)))

@@ -3,6 +3,8 @@
 from collections.abc import Awaitable, Callable, Iterable, Mapping
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
 from prometheus_client import Gauge
 
 from backend.compute.chunk_messages import ComputeRun
@@ -31,6 +33,7 @@ class JobKind:
         size_pointer: What of a request makes a job large.
         run_pointer: What makes one of its runs expensive.
         compute: What a worker computes of each run.
+        order: Positions of all its runs in the order in which they are computed; ascending without it.
         rekey: Run in a worker after an upgrade: gives waiting runs the keys of this core version. Without it a job of
             another version is deleted: who asked for it asks anew.
         passing: A job is deleted when all its runs have succeeded: their results are what was asked for.
@@ -46,6 +49,7 @@ class JobKind:
     size_pointer: str = ""
     run_pointer: str = ""
     compute: ComputeRun | None = None
+    order: Callable[[StoredJob], NDArray[np.intp]] | None = None
     rekey: Rekey | None = None
     passing: bool = False
     step: Callable[[StoredJob], Awaitable[None]] | None = None

@@ -13,6 +13,7 @@ from collections.abc import Awaitable, Callable, Iterable
 from functools import partial
 from typing import get_args
 
+import numpy as np
 from sqlalchemy.exc import SQLAlchemyError
 
 from backend.compute.executor import Executor, ExecutorLostError
@@ -175,7 +176,8 @@ class Scheduler:
         if self._executor is None:
             self._executor = await self._connect()
         await self._leadership.write(self._store.jobs.start, job.id)
-        self._running_jobs[job.id] = RunningJob(job=job, compute=kind.compute)
+        order = kind.order(job) if kind.order else np.arange(job.total)
+        self._running_jobs[job.id] = RunningJob(job=job, compute=kind.compute, order=order)
 
     async def _send_chunks(self) -> None:
         """Keep every process busy; the next chunk is of the job with the fewest open chunks.
@@ -210,7 +212,7 @@ class Scheduler:
             if self._kinds[running.job.kind].passing:
                 await self._forget(job_id)
         else:  # something waits after all: from the start
-            running.position, running.exhausted = -1, False
+            running.looked_at = 0
 
     async def _forget(self, job_id: str) -> None:
         """Delete a job that is done; one with failures stays and says why."""
@@ -221,9 +223,9 @@ class Scheduler:
     async def _rekey(self, job: StoredJob, rekey: Rekey) -> None:
         """Give the runs that another core version left uncomputed the keys of this one, which computes them."""
         logger.warning("Job %s goes on with core %s", job.id, CORE_VERSION)
-        last: int | None = -1
-        while last is not None:
-            last, runs = await self._leadership.write(self._store.job_runs.waiting, job.id, last, REKEYED_AT_ONCE)
+        for first in range(0, job.total, REKEYED_AT_ONCE):
+            positions = range(first, first + REKEYED_AT_ONCE)
+            runs = await self._leadership.write(self._store.job_runs.waiting, job.id, positions)
             if runs:
                 keys = await self._workers.call(rekey, job.request["scenario"], job.schema_version, runs)
                 await self._leadership.write(self._store.job_runs.rekey, job.id, keys)

@@ -1,6 +1,6 @@
 """The runs of a sweep: a run refers to its result by key, and each result is stored once."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from sqlalchemy import Connection, Row, Select, bindparam, select, update
@@ -23,12 +23,9 @@ DAMAGED = "What was stored of this run is damaged"
 class JobRunStore(RowStore):
     """Reads and writes the runs of jobs; every method is one short transaction."""
 
-    def waiting(self, job_id: str, after: int, limit: int) -> tuple[int | None, list[JobRun]]:
-        """The next runs without a result behind position `after`, and the last position looked at (None: no more).
-
-        Those whose result is stored already are settled instead.
-        """
-        query = _waiting_runs(job_id).where(job_runs.c.position > after).limit(limit)
+    def waiting(self, job_id: str, positions: Iterable[int]) -> list[JobRun]:
+        """The runs without a result at these positions; those whose result is stored are settled."""
+        query = _waiting_runs(job_id).where(job_runs.c.position.in_(positions))
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
         damaged = {row.position: DAMAGED for row in rows if not is_intact(job_runs, row)}
@@ -39,12 +36,11 @@ class JobRunStore(RowStore):
                 _fail(connection, job_id, damaged)
                 _settle(connection, job_id, stored)
             self._database.changed(job_id)
-        runs = [
+        return [
             JobRun(position=row.position, changes=row.changes, strategy=row.strategy, key=row.result_key)
             for row in rows
             if row.stored is None and row.position not in damaged
         ]
-        return (rows[-1].position if rows else None), runs
 
     def save(
         self,

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from sqlalchemy.exc import IntegrityError, OperationalError
 
-from backend.batches.kind import SWEEP
+from backend.batches.kind import SWEEP, coarse_first
 from backend.batches.plan import plan
 from backend.batches.points import Sweep
 from backend.compute.chunk_messages import Chunk, ChunkOutcome
@@ -116,7 +116,7 @@ def submitted(
         base["road"]["profile"] = road.id
     seeds = list(range(first_seed, first_seed + RUNS))
     runs = list(plan(base, ["lv"], Sweep.model_validate({"grid": {"road.seed": seeds}})).runs)
-    request = {"scenario": base, "strategies": ["lv"], "fields": ["road.seed"]}
+    request = {"scenario": base, "strategies": ["lv"], "fields": ["road.seed"], "shape": [RUNS]}
     batch = StoredJob(
         kind="sweep", request=request, estimated_cost=1, total=RUNS, request_hash="", core_version=core_version
     )
@@ -168,6 +168,15 @@ async def ended(store: Store, batch_id: str) -> bool:
         batch = await store.read(store.jobs.load, batch_id)
         return batch is not None and batch.state in ("done", "failed")
     return False
+
+
+def test_a_grid_is_computed_from_coarse_to_fine(tmp_path: Path) -> None:
+    drive(tmp_path, answered)
+    in_turn = [seed for chunk in Misbehaving.chunks for seed in seeds(chunk)]
+    assert in_turn == [*range(0, 40, 8), *range(4, 40, 8), *range(2, 40, 4), *range(1, 40, 2)]
+    shape = {"strategies": ["lv", "lqr"], "shape": [2, 5]}
+    two = StoredJob(kind="sweep", request=shape, estimated_cost=1, total=20, request_hash="")
+    assert coarse_first(two).tolist()[:6] == [0, 1, 8, 9, 4, 5], "both strategies of points (0, 0), (0, 4), (0, 2)"
 
 
 def test_every_job_begins_at_once_and_first_chunks_go_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -333,7 +342,7 @@ def test_new_keys_for_one_job_hold_up_no_other(tmp_path: Path) -> None:
             await asyncio.Event().wait()
 
     assert {row.status for row in drive(tmp_path, answered, workers=SlowWorkers())} == {"ok"}
-    assert store.job_runs.waiting(old.id, -1, 1)[1], "it is still to come"
+    assert store.job_runs.waiting(old.id, range(1)), "it is still to come"
     store.close()
 
 

@@ -283,12 +283,17 @@ def test_what_cannot_be_tuned_is_refused_at_its_field(body: dict[str, Any], plac
 
 
 def test_the_rest_of_a_batch_is_shared_among_its_processes() -> None:
-    running = RunningJob(compute=compute, job=replace(BATCH, total=64), position=31)
+    def running_job(total: int, looked_at: int = 0, estimated_cost: float = 1.5) -> RunningJob:
+        job = replace(BATCH, total=total, estimated_cost=estimated_cost)
+        return RunningJob(compute=compute, job=job, order=np.arange(total), looked_at=looked_at)
+
+    running = running_job(64, looked_at=32)
     running.record_time(32, 0.64)
     assert running.size(max_chunks=4) == 8, "32 are left"
-    running.position = 55
+    running.looked_at = 56
     assert running.size(max_chunks=4) == 2, "8 are left"
-    long = RunningJob(compute=compute, job=replace(BATCH, total=10_000), run_seconds=0.02)
+    long = running_job(10_000)
+    long.record_time(1, 0.02)
     assert long.size(max_chunks=4) == 50, "about a second while there is enough"
-    new = RunningJob(compute=compute, job=replace(BATCH, total=10_000, estimated_cost=500.0))
+    new = running_job(10_000, estimated_cost=500.0)
     assert new.size(max_chunks=4) == 20, "by the estimate until a run has been timed"

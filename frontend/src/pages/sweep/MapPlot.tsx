@@ -10,7 +10,7 @@ import { fullName } from "../../server/metrics";
 import { oneRoadNoiseOf } from "../../features/tables/entries";
 import { metricPath } from "../../lab/metricPath";
 import { fieldTexts } from "./describeRow";
-import { failing, firstOf, hatched, mapGrid, shareBelow, unsettled, type MapGrid, type AxisValue } from "./map";
+import { coarse, failing, firstOf, hatched, mapGrid, shareBelow, unsettled, type MapGrid, type AxisValue } from "./map";
 import type { PlotParts } from "./shownPlot";
 import { humanise } from "../../scenario/schema";
 import type { GridTrace, PlotLayout, PointTrace } from "../../plots/plotly";
@@ -45,6 +45,7 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
       grid,
       hatched: hatched(grid, columns),
       failing: fails,
+      coarse: coarse(grid, columns),
       pale: unsettled(grid, noise),
       x,
       y: other,
@@ -98,8 +99,8 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
           {first !== null &&
             ` Crosses: a requirement fails, first at ${fieldTexts(columns, first, batch.fields).join(", ")}.`}
           {unsettled(grid, noise).flat().includes(true) && " Pale: within one road’s luck."}
-          {gaps > 0 && ` ${count(gaps, "gap")} without a value.`} A click on a cell opens its run; drag to zoom, double
-          click for all.
+          {isFinal(batch) ? gaps > 0 && ` ${count(gaps, "gap")} without a value.` : " Faint: as the nearest point."} A
+          click on a cell opens its run; drag to zoom, double click for all.
         </Text>
         <ChartButton
           title={name}
@@ -131,6 +132,8 @@ interface Input {
   readonly threshold: number | null;
   /** What a cell says of itself, line by line. */
   readonly textOf: (row: number, value: number) => readonly string[];
+  /** Values of cells whose run is still to come, as those nearby suggest. */
+  readonly coarse: readonly (readonly (number | null)[])[];
   /** Cells in which a tyre was in the air. */
   readonly hatched: readonly (readonly boolean[])[];
   /** Cells whose run fails a requirement. */
@@ -164,9 +167,11 @@ const MOST_CHANGE = 100;
 const named = (value: AxisValue) => (typeof value === "string" ? humanise(value) : value);
 
 function colours({ grid, difference, scheme }: Input) {
-  if (!difference) return { colorscale: "Cividis" };
-  const sizes = grid.values.flat().map((value) => Math.abs(value ?? 0));
-  const most = Math.min(MOST_CHANGE, Math.max(1, ...sizes));
+  const values = grid.values.flat().filter((value) => value !== null);
+  const [least, greatest] = [Math.min(...values), Math.max(...values)];
+  // Stated, so that what is faint has the same colours.
+  if (!difference) return { colorscale: "Cividis", ...(least < greatest ? { zmin: least, zmax: greatest } : {}) };
+  const most = Math.min(MOST_CHANGE, Math.max(1, -least, greatest));
   return { colorscale: DIVERGING[scheme], zmin: -most, zmax: most };
 }
 
@@ -276,8 +281,10 @@ export function mapFigure(input: Input): {
       tickcolor: palette.grid,
     },
   };
+  const faint: GridTrace = { ...cells, z: input.coarse, opacity: 0.5, showscale: false, hoverinfo: "skip" };
+  const isWhole = input.coarse.every((line) => line.every((value) => value === null));
   return {
-    data: [cells, ...marks(input), ...line(input)],
+    data: [cells, ...(isWhole ? [] : [faint]), ...marks(input), ...line(input)],
     layout: chartLayout(palette, {
       margin: { l: 56, r: 8, t: 8, b: 52 },
       uirevision: `${x.name} ${y.name}`,

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { frontOf } from "./lines";
-import { failing, firstOf, hatched, mapGrid, shareBelow, unsettled } from "./map";
+import { coarse, failing, firstOf, hatched, mapGrid, shareBelow, unsettled } from "./map";
 import { mapFigure } from "./MapPlot";
 import type { GridTrace } from "../../plots/plotly";
 import type { Columns } from "../../features/sweep/table";
@@ -39,6 +39,15 @@ describe("a map", () => {
     ]);
     expect(grid && shareBelow(grid, 0)).toEqual({ below: 3, computed: 3, gaps: 1 });
     expect(grid && shareBelow(grid, -60)).toEqual({ below: 1, computed: 3, gaps: 1 });
+  });
+
+  it("shows where runs are still to come what the nearest ones have", () => {
+    const waiting = { ...COLUMNS, status: ["ok", "ok", "waiting", "ok", "waiting", "ok", "failed", "ok"] };
+    const grid = mapGrid({ ...waiting, peak: [1, 2, null, 3, null, 8, null, 9] }, QUESTION);
+    expect(grid && coarse(grid, waiting)).toEqual([
+      [null, 10],
+      [10, null],
+    ]);
   });
 
   it("knows where a tyre was in the air, and where a change may be luck", () => {
@@ -85,6 +94,7 @@ describe("a map", () => {
       y: axis("speed"),
       title: "Peak",
       unit: "m/s^2",
+      coarse: [],
       hatched: [],
       failing: [],
       pale: [],
@@ -105,8 +115,10 @@ describe("a map", () => {
     const [change] = mapFigure({ ...rest, difference: true, threshold: null }).data as readonly GridTrace[];
     expect([change?.zmin, change?.zmax]).toEqual([-30, 30]);
     const marked = { hatched: [[false], [true, false]], pale: [[true, false], [false]] };
-    const { data } = mapFigure({ ...rest, ...marked, difference: true, threshold: null });
+    const coming = { coarse: [[null], [null, 30]] };
+    const { data } = mapFigure({ ...rest, ...marked, ...coming, difference: true, threshold: null });
     expect(data.slice(1)).toEqual([
+      expect.objectContaining({ type: "heatmap", z: [[null], [null, 30]], zmin: -30, zmax: 30 }),
       expect.objectContaining({ type: "heatmap", z: [[1, null], [null]] }),
       expect.objectContaining({ mode: "markers", x: [5], y: [40] }),
     ]);

@@ -37,6 +37,26 @@ export function firstOf({ rows }: MapGrid, cells: readonly (readonly boolean[])[
 export const unsettled = ({ values }: MapGrid, noise: number): readonly (readonly boolean[])[] =>
   values.map((line) => line.map((value) => value !== null && Math.abs(value) < noise));
 
+/** Of each cell whose run waits the nearest value along its line, on an empty line the nearest line's; others `null`. */
+export function coarse({ values, rows }: MapGrid, columns: Columns): readonly (readonly (number | null)[])[] {
+  const lines = values.map((line) => (line.some((value) => value !== null) ? nearest(line) : null));
+  const all = nearest(lines);
+  return rows.map((line, i) =>
+    line.map((row, j) => (row !== null && cell(columns, "status", row) === "waiting" ? (all[i]?.[j] ?? null) : null)),
+  );
+}
+
+/** Each gap filled by what is nearest to it. */
+function nearest<Value>(cells: readonly (Value | null)[]): readonly (Value | null)[] {
+  const there = cells.flatMap((value, index) => (value === null ? [] : [{ value, index }]));
+  let next = 0;
+  return cells.map((_, index) => {
+    const distance = (place: number) => Math.abs((there[place]?.index ?? Infinity) - index);
+    while (distance(next + 1) < distance(next)) next++;
+    return there[next]?.value ?? null;
+  });
+}
+
 interface Question {
   readonly x: string;
   readonly y: string;
