@@ -29,6 +29,7 @@ def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
         "explanation/robustness.md",
         "how-to/fmu.md",
         "how-to/fuzzy-controller.md",
+        "how-to/hil.md",
         "how-to/measured-road.md",
         "how-to/own-controller.md",
         "how-to/which-hump.md",
