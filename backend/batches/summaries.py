@@ -1,23 +1,137 @@
-"""Summaries of batches: equal requests share one computation, and its result is cached."""
+"""Summaries of batches: rows by point and strategy, which a worker summarises; equal requests share one computation.
+
+Its result is cached.
+"""
 
 import asyncio
 import time
-from collections.abc import AsyncIterator, Awaitable, Callable, Sequence
+from collections import Counter
+from collections.abc import AsyncIterator, Awaitable, Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
 
+import numpy as np
+import orjson
 from cachetools import LRUCache
 
-from backend.batches import batch_summary, robustness
+from backend import own
+from backend.batches import robustness, summary
 from backend.batches.models import BatchSummary
 from backend.compute.shared_computations import SharedComputations
 from backend.errors import InvalidError
 from backend.gate import Gate
 from backend.job_run import JobRow
+from backend.json_types import JsonObject, Summary
 from backend.roads.service import MeasuredRoads
+from backend.scenario_at import scenario_at
 from backend.store import StoredJob
 from backend.store.job import FINAL
+from sim_core import __version__ as CORE_VERSION
+from sim_core.arrays import FloatArray
+from sim_core.catalogue import METRICS
+from sim_core.scenario.measured import MeasuredRoad
+
+POINTS_A_CALL = 100  # whose stability one task of a worker computes; with unequal dampers one of LV takes some 13 ms
+
+
+async def summarised(
+    batch: StoredJob,
+    pages: AsyncIterator[list[JobRow]],
+    call: Callable[..., Awaitable[Any]],
+    figures: Sequence[str],
+    baseline: str,
+    roads: Mapping[str, MeasuredRoad],
+) -> BatchSummary:
+    """What has finished, read as a whole; `roads` are the measured ones that the batch names."""
+    gathered = _Gathered(batch, figures)
+    async for rows in pages:
+        await asyncio.to_thread(gathered.add, rows)
+    origin = (batch.request["scenario"], batch.schema_version)
+    ran, names = gathered.ran(), gathered.unchanged()
+    damping = np.full((len(gathered.changes), len(batch.request["strategies"])), np.nan)
+    columns = [batch.request["strategies"].index(name) for name in names]
+    for first in range(0, len(ran), POINTS_A_CALL):
+        some = ran[first : first + POINTS_A_CALL]
+        texts = [gathered.changes[point] for point in some]
+        damping[np.ix_(some, columns)] = await call(summary.dampings, *origin, texts, names)
+    summaries, nominal_damping = await call(summary.nominal, *origin, names, roads)
+    study = gathered.study(damping, summaries, nominal_damping)
+    return BatchSummary(
+        batch=batch.id,
+        state=batch.state,
+        core_version=CORE_VERSION,
+        points=batch.total // len(batch.request["strategies"]),
+        baseline=baseline,
+        quantiles=summary.QUANTILES,
+        units={key: METRICS[key].unit for key in figures},
+        strategies=await call(summary.summarise, study, baseline),
+    )
+
+
+class _Gathered:
+    """A batch's rows, taken in page by page; a point's strategies lie side by side."""
+
+    def __init__(self, batch: StoredJob, figures: Sequence[str]) -> None:
+        self._batch = batch
+        self._figures = figures
+        shape = (batch.total // len(batch.request["strategies"]), len(batch.request["strategies"]))
+        self._values: dict[str, FloatArray] = {key: np.full(shape, np.nan) for key in figures}
+        self._status = np.full(shape, "waiting", dtype="U9")
+        self._reasons: dict[str, Counter[str]] = {name: Counter() for name in batch.request["strategies"]}
+        self._sources: dict[str, JsonObject | None] = {}
+        self.changes: list[str] = []
+
+    def add(self, rows: Sequence[JobRow]) -> None:
+        """Take a page in."""
+        for row in rows:
+            point, index = divmod(row.position, len(self._batch.request["strategies"]))
+            self._status[point, index] = row.status
+            if not index:
+                self.changes.append(row.changes)
+            result = orjson.loads(row.summary) if row.summary is not None else {}
+            if row.status == "failed":
+                self._reasons[row.strategy][row.reason or result.get("reason") or "unknown"] += 1
+            if row.status == "ok":
+                self._sources[row.strategy] = result.get("source")
+                for key in self._figures:
+                    value = METRICS[key].of(result)
+                    self._values[key][point, index] = np.nan if value is None else value
+
+    def ran(self) -> list[int]:
+        """The points at which some strategy has succeeded."""
+        result: list[int] = np.flatnonzero((self._status == "ok").any(axis=1)).tolist()
+        return result
+
+    def unchanged(self) -> list[str]:
+        """The strategies whose law is the one that was driven, not that of a file that was saved since."""
+        names = self._batch.request["strategies"]
+        return [name for name in names if self._sources.get(name) == own.source(name)]
+
+    def study(
+        self,
+        damping: FloatArray,
+        summaries: Mapping[str, Summary],
+        nominal_damping: Mapping[str, float | None],
+    ) -> summary.Study:
+        """The study of all rows, with the damping and the nominal values that workers computed."""
+        changes = [orjson.loads(text) for text in self.changes]
+        scenario = scenario_at(self._batch.request["scenario"], {}, self._batch.schema_version).model_dump(mode="json")
+        names, fields = self._batch.request["strategies"], self._batch.request["fields"]
+        return summary.Study(
+            strategies=names,
+            status=self._status,
+            reasons=self._reasons,
+            figures=self._values,
+            fields={name: [change.get(name) for change in changes] for name in fields},
+            read={name: robustness.fields_read(name, fields, scenario) for name in names},
+            damping=np.where(self._status == "ok", damping, np.nan),
+            nominal={
+                name: {key: METRICS[key].of(result) for key in self._figures} for name, result in summaries.items()
+            },
+            nominal_damping=nominal_damping,
+        )
+
 
 CACHED = 16  # a page that is opened again asks for the same
 # A summary of a batch that goes on is answered again for so many times as long as it took, or a page that is open would
@@ -85,7 +199,7 @@ class Summaries:
         measured = await self.roads.named(job.road_ids)
         with self.gate.hold(client, requests=1, background_cost=cost):
             answer = await self._in_progress.join(
-                (*key, ended), partial(batch_summary.summarised, job, rows, call, figures, against, measured)
+                (*key, ended), partial(summarised, job, rows, call, figures, against, measured)
             )
         until = clock() + REUSE * (time.perf_counter() - begin)
         self._cached[key] = CachedSummary(answer=answer, ended=ended, reusable_until=until)

@@ -9,9 +9,9 @@ import contextlib
 import itertools
 import logging
 import time
-from collections.abc import Awaitable, Callable, Iterable
+from collections.abc import Awaitable, Callable, Coroutine, Iterable
 from functools import partial
-from typing import get_args
+from typing import Any, get_args
 
 import numpy as np
 from sqlalchemy.exc import SQLAlchemyError
@@ -19,10 +19,10 @@ from sqlalchemy.exc import SQLAlchemyError
 from backend.compute.executor import Executor, ExecutorLostError
 from backend.compute.workers import Workers
 from backend.db.commits import Follower
+from backend.errors import DamagedError, TemporaryError
 from backend.jobs.chunk_cutter import RunningJob
 from backend.jobs.dispatch import Dispatch
-from backend.jobs.job_drivers import JobDrivers
-from backend.jobs.kind import JobKind, Rekey
+from backend.jobs.kind import JobFailedError, JobKind, Rekey
 from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.jobs.retention import Retention
 from backend.settings import Settings
@@ -34,10 +34,68 @@ logger = logging.getLogger(__name__)
 
 CHUNKS_PER_PROCESS = 2  # one is computed, one waits (test_every_job_begins_at_once_and_first_chunks_go_first)
 JOB_POLL_INTERVAL = 1.0  # between two looks at what other services accepted or cancelled [s]
-PAUSE_AFTER_FAILURE = 2.0  # after the database or the executor failed [s]
+PAUSE_AFTER_FAILURE = 2.0  # after the database or the executor failed, or the service was full [s]
 REKEYED_AT_ONCE = 500  # runs given new keys in one transaction
 REPORT = 5.0  # between two updates of the metrics [s]
 STATES: tuple[State, ...] = get_args(State)
+MAX_TASKS = 4  # beyond it no job's steps are taken; the others wait in the order they were accepted
+TRANSIENT = (SQLAlchemyError, OSError, TemporaryError, LeadershipLostError)
+UNFORESEEN = "It failed with an unforeseen error, which is in the service's log"
+
+Step = Callable[[StoredJob], Awaitable[None]]
+
+
+class JobDrivers:
+    """A task for each job; `ended` is set when one has ended."""
+
+    def __init__(self, store: Store, ended: asyncio.Event) -> None:
+        self._store = store
+        self._ended = ended
+        self._tasks: dict[str, asyncio.Task[None]] = {}
+
+    def take_steps(self, job_id: str, step: Step) -> None:
+        """Start a task that takes the job's steps to its end, if there is room."""
+        if len(self._tasks) < MAX_TASKS:
+            self.begin(job_id, partial(self._take_steps, job_id, step))
+
+    def begin(self, job_id: str, work: Callable[[], Coroutine[Any, Any, None]]) -> None:
+        """Start a task with that work for the job, unless it has one."""
+        if job_id not in self._tasks:
+            self._tasks[job_id] = asyncio.create_task(self._run(job_id, work))
+
+    def cancel(self) -> None:
+        """End every task."""
+        for task in self._tasks.values():
+            task.cancel()
+
+    async def _run(self, job_id: str, work: Callable[[], Coroutine[Any, Any, None]]) -> None:
+        """Run the work until it ends or meets a transient error, after which a later look starts it again."""
+        try:
+            await work()
+        except DamagedError as error:
+            logger.error("Job %s: %s", job_id, error.message)
+            await self._store.write(self._store.jobs.give_up, job_id, error.message)
+        except TRANSIENT as error:
+            logger.warning("Job %s rests: %s", job_id, type(error).__name__)
+            await asyncio.sleep(PAUSE_AFTER_FAILURE)
+        except Exception:  # not even its failure could be noted: it is tried again
+            logger.exception("Job %s rests", job_id)
+            await asyncio.sleep(PAUSE_AFTER_FAILURE)
+        finally:
+            del self._tasks[job_id]
+            self._ended.set()
+
+    async def _take_steps(self, job_id: str, step: Step) -> None:
+        while (job := await self._store.read(self._store.jobs.load, job_id)) is not None and job.state in UNFINISHED:
+            try:
+                await step(job)
+            except TRANSIENT:
+                raise
+            except JobFailedError as error:
+                await self._store.write(self._store.jobs.fail, job, str(error))
+            except Exception:  # a bug of ours: this job fails and says so, the others go on
+                logger.exception("Job %s failed", job.id)
+                await self._store.write(self._store.jobs.fail, job, UNFORESEEN)
 
 
 class Scheduler:

@@ -10,7 +10,7 @@ from pydantic import TypeAdapter
 from sqlalchemy.exc import OperationalError
 
 from backend.errors import BusyError, ConflictError, CostLimitError, WorkersBusyError
-from backend.jobs import job_drivers
+from backend.jobs import scheduler
 from backend.store import StoredJob
 from backend.tunings import answers, steps
 from backend.tunings.measure import Failure
@@ -137,12 +137,12 @@ def test_what_passes_is_waited_for_and_a_bug_is_a_reason(service: Any, monkeypat
             raise errors.pop(0)
         return await create(*args, **names)
 
-    monkeypatch.setattr(job_drivers, "PAUSE_AFTER_FAILURE", 0.01)
+    monkeypatch.setattr(scheduler, "PAUSE_AFTER_FAILURE", 0.01)
     monkeypatch.setattr(service.services.batches, "create", unreliable)
     assert wait_for(service, begin(service, trials=8)["id"])["state"] == "done"
     errors.append(ValueError("a bug"))
     failed = wait_for(service, begin(service, trials=8)["id"])
-    assert (failed["state"], failed["reason"]) == ("failed", job_drivers.UNFORESEEN)
+    assert (failed["state"], failed["reason"]) == ("failed", scheduler.UNFORESEEN)
     errors.append(CostLimitError("It is too big now."))
     service.post(f"/api/v1/tunings/{failed['id']}/resume").raise_for_status()
     assert wait_for(service, failed["id"])["reason"] == "It is too big now."

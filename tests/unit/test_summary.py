@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from backend.batches import batch_summary, summary
+from backend.batches import summary
 from backend.batches.models import BatchSummary
 from backend.batches.summaries import Summaries
 from backend.batches.summary import QUANTILES, Study
@@ -130,7 +130,7 @@ def test_a_summary_of_a_batch_that_goes_on_is_answered_again_for_a_while(monkeyp
         async def named(self, _: object) -> dict[str, Any]:
             return {}
 
-    monkeypatch.setattr(batch_summary, "summarised", summarised)
+    monkeypatch.setattr("backend.batches.summaries.summarised", summarised)
     none: Any = NoRoads()
     summaries = Summaries(rows=lambda _: none, call=none.named, gate=Gate(Settings()), roads=none)
 

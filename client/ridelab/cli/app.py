@@ -23,7 +23,6 @@ from ridelab.cli.options import option, split_as_bash
 from ridelab.cli.own import NEW, check
 from ridelab.cli.paper import paper
 from ridelab.cli.reporting import BROKEN_PIPE, InputError, ReportingGroup, abandon_output
-from ridelab.cli.road import road
 from ridelab.cli.robustness import robustness
 from ridelab.cli.run import run as run_
 from ridelab.cli.server import backup, demo, open_, serve, verify
@@ -31,7 +30,7 @@ from ridelab.cli.service import with_services
 from ridelab.cli.solve import solve
 from ridelab.cli.sweep import sweep
 from ridelab.cli.tune import tune
-from ridelab.cli.vehicle import vehicle
+from ridelab.cli.vehicle import road, vehicle
 from ridelab.connection import TOKEN_VARIABLE
 
 HELP = """Ridelab: what-ifs of active suspension over bumps.
