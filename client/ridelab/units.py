@@ -1,6 +1,6 @@
 """Units as people write them: what a number with a unit is in the unit that the service takes.
 
-The page reads the same table: `UPDATE_DOCS=1 python -m pytest tests/api/test_units.py` writes it there.
+The page reads the same table: `UPDATE_DOCS=1 python -m pytest tests/unit/test_units.py` writes it there.
 """
 
 import math

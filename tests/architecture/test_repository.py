@@ -13,6 +13,10 @@ ROOT = Path(__file__).parents[2]
 TARGET = re.compile(r"\bmake ([a-z][a-z-]*)")
 LINK = re.compile(r"(?<!!)\[[^\]\n]+\]\(([^)\s]+)\)")
 IMAGE = re.compile(r"!\[[^\]\n]*\]\(([^)\s]+)\)")
+# A path from the root of the repository; after a colon it is another commit's.
+NAMED = re.compile(
+    r"(?<![\w/.:])(?:sim_core|backend|client|frontend|tests|benchmarks|docs)/[\w./-]+\.(?:py|c|h|md|tsx?)\b"
+)
 
 
 def tracked(*patterns: str) -> list[Path]:
@@ -59,6 +63,12 @@ def test_links_to_files_and_headings_resolve(page: Path) -> None:
         assert target.exists(), f"{page.name}: {link}"
         if anchor and target.suffix == ".md":
             assert anchor in headings(target), f"{page.name}: {link}"
+
+
+def test_files_that_code_and_comments_name_exist() -> None:
+    named = {name for path in tracked("*.py", "*.[ch]", "*.ts", "*.tsx") for name in NAMED.findall(path.read_text())}
+    assert len(named) > 50
+    assert sorted(name for name in named if not (ROOT / name).exists()) == []
 
 
 def headings(page: Path) -> set[str]:

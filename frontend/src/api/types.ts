@@ -107,7 +107,7 @@ export interface MadeTrace extends JsonObject {
   readonly name: string;
 }
 
-/** What a figure template says about itself (`layout.meta`, written by backend/figures.py). */
+/** What a figure template says about itself (`layout.meta`, written by backend/runs/figures.py). */
 export interface FigureMeta {
   readonly title: string;
   readonly unit: string;
