@@ -2,11 +2,13 @@
 
 import io
 import json
+import sys
 import zipfile
 from collections.abc import Iterator
 from typing import Any
 
 import httpx
+import pytest
 import typer
 import yaml
 
@@ -32,7 +34,9 @@ def test_every_command_answers_machines_too() -> None:
     assert without == []
 
 
-def test_what_was_written_is_said_to_machines(cli: Cli, prepared: Prepared) -> None:
+def test_what_was_written_is_said_to_machines_and_in_a_terminal(
+    cli: Cli, prepared: Prepared, monkeypatch: pytest.MonkeyPatch
+) -> None:
     batch = prepared.job("batch", scenario=SHORT)
     prepared.answers[f"GET /batches/{batch}/results"] = b"a,b\n"
     archive = io.BytesIO()
@@ -44,6 +48,9 @@ def test_what_was_written_is_said_to_machines(cli: Cli, prepared: Prepared) -> N
     assert json.loads(cli("fmu", "--json")) == written
     cli("export", batch, "--out", "-", "--format", "csv", "--json", code=2)
     assert "name another one" in cli.error
+    assert (cli("export", batch, "--out", "b.csv"), cli.error) == ("", "")
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    assert (cli("export", batch, "--out", "b.csv"), cli.error) == ("", "b.csv: 4 bytes\n")
     assert json.loads(cli("open", RUN, "--print", "--json")) == {"address": f"{ADDRESS}/r/{RUN}"}
 
 

@@ -170,14 +170,16 @@ def output_format(out: str, file_format: str | None, *, as_json: bool = False) -
 def deliver(content: Iterable[bytes], out: str, *, as_json: bool = False, **about: Any) -> None:
     """Write the pieces there, `-` is standard output; a file is whole or not touched.
 
-    For machines, its name, its size [bytes] and what else is said about it are printed then; see `check_out`.
+    Its name and size [bytes] are said then in a terminal; for machines with the rest of `about`, see `check_out`.
     """
-    if out != "-":
-        save(content, out)
-    else:
+    if out == "-":
         sys.stdout.buffer.writelines(content)
+        return
+    size = save(content, out).stat().st_size
     if as_json:
-        print_json({"file": out, "size": Path(out).stat().st_size, **about})
+        print_json({"file": out, "size": size, **about})
+    elif sys.stderr.isatty():
+        note(f"{out}: {size:,} bytes")
 
 
 _UNLIMITED = 1000  # columns of a file or a pipe
