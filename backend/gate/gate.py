@@ -4,17 +4,58 @@ So an overload is refused early, no client keeps others waiting, and nobody wait
 """
 
 import asyncio
-from collections.abc import Iterator
+import math
+import time
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from weakref import WeakValueDictionary
 
+from cachetools import TTLCache
+
 from backend.compute.fair_queue import SHORT
-from backend.errors import CHEAPER_RUN, CostLimitError
+from backend.errors import CHEAPER_RUN, CostLimitError, TooManyRequestsError
 from backend.gate.backlog import Backlog
 from backend.gate.quotas import quotas
-from backend.gate.token_bucket import TokenBucket
 from backend.settings import Settings
+
+MOST_CLIENTS = 10_000  # whose rates are remembered
+
+
+class TokenBucket:
+    """A rate limit for each client: a burst, then so many each second.
+
+    Args:
+        what: Its name in the refusal.
+        burst: How many tokens a client has at first, and at most.
+        each_second: How many tokens are added [1/s].
+        clock: Seconds, monotonic.
+    """
+
+    def __init__(
+        self, *, what: str, burst: int, each_second: float, clock: Callable[[], float] = time.monotonic
+    ) -> None:
+        self._what = what
+        self._burst = burst
+        self._each_second = each_second
+        self._clock = clock
+        # By client when its bucket is full again; after that it is as good as unknown.
+        self._full_at: TTLCache[str, float] = TTLCache(MOST_CLIENTS, burst / each_second, clock)
+
+    def take(self, client: str, tokens: int = 1) -> None:
+        """Take a token, or several.
+
+        Raises:
+            TooManyRequestsError: With the time after which there is a token again.
+        """
+        now = self._clock()
+        full_at = max(now, self._full_at.get(client, now)) + tokens / self._each_second
+        wait = full_at - now - self._burst / self._each_second
+        if wait > 1e-9:
+            message = f"Too many {self._what}: {self._burst} at once, then {self._each_second:g} a second."
+            raise TooManyRequestsError(message, retry_after=max(1, math.ceil(wait)))
+        self._full_at[client] = full_at
+
 
 # A browser asks a server for six at once. Each step of another client's request waits for a step of every read begun.
 READS_AT_ONCE = 8

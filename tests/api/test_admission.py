@@ -9,9 +9,8 @@ import pytest
 from backend.errors import BusyError, TooManyRequestsError
 from backend.gate import Gate
 from backend.gate.backlog import Backlog
-from backend.gate.gate import READS_AT_ONCE
+from backend.gate.gate import READS_AT_ONCE, TokenBucket
 from backend.gate.quota import Quota
-from backend.gate.token_bucket import TokenBucket
 from backend.http.client_key import client_key
 from backend.settings import Settings
 from tests.servers.process import HANG_TIMEOUT, wait_until
