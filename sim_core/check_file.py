@@ -1,17 +1,19 @@
 """`python -m sim_core.check_file FILE`: what is wrong with its controllers, in words, and pictures of their forces."""
 
 import json
+import os
 import sys
 from contextlib import redirect_stdout, suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.check_controller import check_controller, failure
 from sim_core.control.controller import Controller
-from sim_core.controller_files import ControllerFileError, load_controllers, run_anew
+from sim_core.controller_files import ControllerFileError, files_of, load_controllers, run_anew
 from sim_core.scenario import Bump, Road, Scenario, Vehicle
 from sim_core.simulate import simulate
 
@@ -51,9 +53,11 @@ class Check:
 def main(file: Path, *, as_json: bool = False) -> int:
     """Print what was found in each controller; the exit code says whether anything is wrong."""
     _bound_memory()
+    beside: set[str] = set()
+    sys.addaudithook(lambda event, args: _note_opened(beside, file.absolute(), event, args))
     try:
         with redirect_stdout(sys.stderr):  # what the file itself prints is no part of the answer
-            checks = [_check(each, file) for each in load_controllers(file).values()]
+            checks = [_check(each, file, beside) for each in load_controllers(file).values()]
     except ControllerFileError as error:
         sys.stdout.write(f"{error.message}\n")
         return UNUSABLE
@@ -67,6 +71,15 @@ def main(file: Path, *, as_json: bool = False) -> int:
     return FAULTS if any(each.faults for each in checks) else 0
 
 
+def _note_opened(beside: set[str], file: Path, event: str, args: tuple[Any, ...]) -> None:
+    """Add the names of files in the controllers' folder that are opened for reading."""
+    if event != "open" or not isinstance(args[0], str) or args[2] & (os.O_WRONLY | os.O_RDWR):
+        return
+    opened = Path(args[0]).absolute()
+    if opened.parent == file.parent and opened != file:
+        beside.add(opened.name)
+
+
 def _bound_memory() -> None:
     with suppress(ImportError, ValueError, OSError):  # not on Windows, nor where less is allowed already
         import resource
@@ -74,17 +87,22 @@ def _bound_memory() -> None:
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, resource.getrlimit(resource.RLIMIT_AS)[1]))
 
 
-def _check(controller: type[Controller], file: Path) -> Check:
+def _check(controller: type[Controller], file: Path, beside: set[str]) -> Check:
     """Check it, and draw its forces beside the file where nothing is wrong."""
     faults, picture = check_controller(controller), None
     if not faults:
         try:
             drawing = _picture(controller)
-            unused = run_anew(file.absolute())[controller.id]  # has seen no other car
-            if simulate(_HEAVY, controller).summary() != simulate(_HEAVY, unused).summary():
+            anew = run_anew(file.absolute())  # have seen no other car
+            if simulate(_HEAVY, controller).summary() != simulate(_HEAVY, anew[controller.id]).summary():
                 faults = [
                     "A run depends on the car of an earlier one: numbers of it are kept outside the object, such as a "
                     "gain in the class; make them in start"
+                ]
+            elif unnamed := beside - files_of(anew):
+                faults = [
+                    f"It reads {', '.join(sorted(unnamed))}, which its files do not name: where that changes, stored "
+                    "results stay as they are"
                 ]
         except (Exception, SystemExit) as error:  # noqa: BLE001 - the paper's road is longer than the check's
             faults = [failure(error, controller)]

@@ -61,6 +61,7 @@ def test_no_file_is_written_over_and_a_name_is_an_id(cli: Cli, file: Path) -> No
         ("import os; os._exit(0)", 2, "it ended Python with the code 0"),
         ("while True: pass", 2, "it was ended after 3 s; has it a loop without an end?"),
         ("(", 2, "SyntaxError"),
+        ("open('gain.txt').close(); return 0.0, 0.0", 1, "It reads gain.txt, which its files do not name"),
         ("return globals().setdefault('arms', self.arms) * seen.state[5]", 1, "depends on the car of an earlier one"),
     ],
 )
@@ -69,6 +70,7 @@ def test_a_broken_law_is_told_in_words(
 ) -> None:
     if "while" in law:  # which no time is enough for
         monkeypatch.setattr(own, "LIMIT", 3.0)
+    file.with_name("gain.txt").touch()
     before, _, _ = file.read_text().partition("return")
     file.write_text(f"{before}{law}\n")
     printed = cli("check", file, code=code)
