@@ -46,3 +46,17 @@ export function chartLayout(
     yaxis: { ...axis, ...yaxis },
   };
 }
+
+/** Across the whole plot at a value of one of its axes, and what is said of it at its end. */
+export function referenceLine(palette: Palette, axis: "x" | "y", value: number, text: string, xanchor: string) {
+  const other = axis === "x" ? "y" : "x";
+  const line = { color: palette.text, width: 1.5, dash: "dash" };
+  const font = { size: 11, color: palette.text };
+  const across = { [`${other}ref`]: "paper" };
+  return {
+    shapes: [
+      { type: "line", [`${axis}0`]: value, [`${axis}1`]: value, [`${other}0`]: 0, [`${other}1`]: 1, ...across, line },
+    ],
+    annotations: [{ text, [axis]: value, [other]: 1, ...across, xanchor, yanchor: "bottom", showarrow: false, font }],
+  };
+}

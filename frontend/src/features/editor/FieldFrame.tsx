@@ -94,16 +94,13 @@ export const ResetButton = memo(function ResetButton({ field, paperText, changed
   );
 });
 
-export function FieldError({ id, error }: { readonly id: string; readonly error: string | undefined }) {
-  return error === undefined ? null : <ErrorText id={id} error={error} />;
-}
-
 /** Comes into sight by itself: an error of the server may concern a field nobody is looking at. */
-function ErrorText({ id, error }: { readonly id: string; readonly error: string }) {
+export function FieldError({ id, error }: { readonly id: string; readonly error: string | undefined }) {
   const ref = useRef<HTMLParagraphElement>(null);
   useEffect(() => {
     ref.current?.scrollIntoView({ block: "nearest" });
   }, [error]);
+  if (error === undefined) return null;
   return (
     <Text ref={ref} mt={2} fz="xs" lh="1.35" c="var(--danger)" id={`${id}-error`} role="alert">
       {error}

@@ -39,7 +39,6 @@ export type ParsedDraft =
 
 const DEFAULT_COUNT = 5;
 const MOST_VALUES = 10_000;
-/** Where the soft range spans this ratio, values are spread by equal ratios, as the field's slider is. */
 
 export function draftField(field: SweepField): FieldDraft {
   const { leaf } = field;
@@ -79,6 +78,7 @@ export function restoreSweep(stored: unknown, fields: readonly SweepField[]): Sw
   };
 }
 
+/** Whether values are spread by equal ratios, as the field's slider is. */
 export const byRatio = ({ soft: [low, high] }: NumberField) => spansDecades(low, high);
 
 /** `count` values from `from` to `to`, both included; whole numbers, each once, for fields that take only those. */

@@ -2,7 +2,7 @@
 
 import type { Times } from "../../api/types";
 import type { ChartFigure } from "../../plots/Chart";
-import { type Palette, chartLayout } from "../../plots/palettes";
+import { type Palette, chartLayout, referenceLine } from "../../plots/palettes";
 import { formatWhole } from "../../units/format";
 import { formatTime } from "./effort";
 
@@ -53,29 +53,7 @@ export function histogramFigure(
         fixedrange: true,
       },
       yaxis: { title: { text: "Steps" }, rangemode: "tozero", fixedrange: true },
-      shapes: [
-        {
-          type: "line",
-          x0: at,
-          x1: at,
-          yref: "paper",
-          y0: 0,
-          y1: 1,
-          line: { color: palette.text, width: 1.5, dash: "dash" },
-        },
-      ],
-      annotations: [
-        {
-          text: "deadline",
-          x: at,
-          yref: "paper",
-          y: 1,
-          yanchor: "bottom",
-          xanchor: "center",
-          showarrow: false,
-          font: { size: 11, color: palette.text },
-        },
-      ],
+      ...referenceLine(palette, "x", at, "deadline", "center"),
     }),
   };
 }

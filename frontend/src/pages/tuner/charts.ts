@@ -2,7 +2,7 @@
 
 import type { Generation, Trial } from "../../api/types";
 import type { ChartFigure } from "../../plots/Chart";
-import { type Palette, chartLayout } from "../../plots/palettes";
+import { type Palette, chartLayout, referenceLine } from "../../plots/palettes";
 import type { LineTrace, PointTrace } from "../../plots/plotly";
 import { formatResult, prettyUnit, titleWithUnit } from "../../units/format";
 import { humanise } from "../../scenario/schema";
@@ -215,33 +215,7 @@ export function historyFigure(input: HistoryInput): SearchFigure {
       xaxis: { title: { text: "Trial" }, rangemode: "tozero" },
       yaxis: { title: { text: axisTitle(shown) }, ...(range ? { range } : {}) },
       uirevision: "history",
-      shapes: Number.isFinite(reference)
-        ? [
-            {
-              type: "line",
-              xref: "paper",
-              x0: 0,
-              x1: 1,
-              y0: reference,
-              y1: reference,
-              line: { color: palette.text, width: 1, dash: "dash" },
-            },
-          ]
-        : [],
-      annotations: Number.isFinite(reference)
-        ? [
-            {
-              text: humanise(first),
-              xref: "paper",
-              x: 1,
-              y: reference,
-              xanchor: "right",
-              yanchor: "bottom",
-              showarrow: false,
-              font: { size: 11, color: palette.text },
-            },
-          ]
-        : [],
+      ...(Number.isFinite(reference) && referenceLine(palette, "y", reference, humanise(first), "right")),
     }),
   };
 }
