@@ -31,7 +31,7 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     page.get_by_label("Samples").fill("20")
 
     ranges(page, "mismatch.damping").get_by_label("Damping, from").fill("2")
-    expect(ranges(page, "mismatch.damping").get_by_role("alert")).to_have_text("From has to be less than to")
+    expect(ranges(page, "mismatch.damping").get_by_role("alert")).to_have_text("From has to be less than To")
     expect(page.get_by_role("button", name="Start")).to_be_disabled()
     ranges(page, "mismatch.damping").get_by_label("Damping, from").fill("0.6")
     ranges(page, "road.seed").get_by_role("switch").uncheck(force=True)

@@ -87,7 +87,7 @@ def test_the_form_says_what_cannot_be_tuned(dashboard: Dashboard) -> None:
     start = page.get_by_role("button", name="Start")
     expect(start).to_be_enabled()
     page.get_by_label("Brake, Pitch acceleration, from").fill("60")
-    expect(page.get_by_role("alert")).to_have_text("Brake, Pitch acceleration: From has to be less than to")
+    expect(page.get_by_role("alert")).to_have_text("Brake, Pitch acceleration: From has to be less than To")
     dashboard.expect_accessible()
     page.get_by_label("Tune Brake, Pitch acceleration").uncheck()
     expect(page.get_by_role("group", name="Brake")).to_contain_text("stays 6")

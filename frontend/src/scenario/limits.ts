@@ -5,6 +5,9 @@ import { formatExact, formatInput } from "../units/format";
 import { parseQuantity } from "../units/quantity";
 import type { NumberField } from "./schema";
 
+/** What is wrong with a range whose ends are the wrong way round. */
+export const NO_RANGE = "From has to be less than To";
+
 export type ParsedValue =
   | { readonly ok: true; readonly value: number }
   | { readonly ok: false; readonly message: string };

@@ -5,7 +5,9 @@ import { lazy } from "react";
 import { Icon } from "../../ui/icons";
 import { useAction, useActionButton, usePaletteEntries } from "../../lab/actions";
 import { useReadOnly } from "../../lab/context";
+import { vehiclesQuery } from "../../server/queries";
 import { useForm, usePresets } from "../../server/useCatalogues";
+import { useQuery } from "@tanstack/react-query";
 import { useSelector } from "@tanstack/react-store";
 import { compact } from "../../ui/compact";
 import { LazyPart } from "../../ui/LazyPart";
@@ -25,6 +27,16 @@ export function LibraryButton() {
   const canEdit = !readOnly;
   useAction("library", canEdit ? () => dialog.set("scenario") : null);
   useAction("saveVehicle", canEdit ? () => dialog.set("vehicle") : null);
+  const { data: vehicles = [] } = useQuery(vehiclesQuery);
+  const sourced = vehicles.map(
+    ({ label, vehicle }) =>
+      ({
+        group: "Library",
+        label,
+        description: "Vehicle",
+        run: () => open({ kind: "vehicle", value: vehicle }),
+      }) as const,
+  );
   const commands = items.map(
     (item) =>
       ({
@@ -34,7 +46,7 @@ export function LibraryButton() {
         run: () => open(item),
       }) as const,
   );
-  usePaletteEntries(canEdit ? commands : []);
+  usePaletteEntries(canEdit ? [...sourced, ...commands] : []);
   const { label, ...button } = useActionButton("library");
   return (
     <>

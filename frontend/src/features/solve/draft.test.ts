@@ -68,7 +68,7 @@ describe("a question as it is typed", () => {
       wrong: { limit: "Enter the limit in kN" },
     });
     expect(wrong({ limit: "4 kg" })).toEqual({ limit: "Takes kN (also without a unit) or N" });
-    expect(wrong({ to: "50 mm" })).toEqual({ from: "Has to be less than To" });
+    expect(wrong({ to: "50 mm" })).toEqual({ from: "From has to be less than To" });
     expect(wrong({ to: "2 m" }).to).toContain("Must be from");
     expect(wrong({ roads: "51" })).toEqual({ roads: "A whole number from 1 to 50" });
   });

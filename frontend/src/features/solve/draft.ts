@@ -3,7 +3,7 @@
 import type { Question } from "../../api/types";
 import { requiredOfThese, type Requirement } from "../../lab/requirements";
 import { type Metric, fullName } from "../../server/metrics";
-import { parseTyped } from "../../scenario/limits";
+import { NO_RANGE, parseTyped } from "../../scenario/limits";
 import type { NumberField } from "../../scenario/schema";
 import type { SweepField } from "../../scenario/fields";
 import { prettyUnit, formatInput } from "../../units/format";
@@ -65,7 +65,7 @@ export function readDraft(draft: SolveDraft, field: NumberField, figure: Metric 
   const wrong: Partial<Record<Typed, string>> = {};
   if (!from.ok) wrong.from = from.message;
   if (!to.ok) wrong.to = to.message;
-  if (from.ok && to.ok && from.value >= to.value) wrong.from = "Has to be less than To";
+  if (from.ok && to.ok && from.value >= to.value) wrong.from = NO_RANGE;
   if (!Number.isInteger(roads) || roads < 1 || roads > MOST_ROADS)
     wrong.roads = `A whole number from 1 to ${MOST_ROADS}`;
   const isDriven = from.ok && to.ok && !wrong.from && !wrong.roads;

@@ -2,7 +2,7 @@
 
 import { spansDecades } from "../../lib/steps";
 import type { StrategyId, Sweep } from "../../api/types";
-import { parseTyped, typedText } from "../../scenario/limits";
+import { NO_RANGE, parseTyped, typedText } from "../../scenario/limits";
 import { optionValue, type NumberField } from "../../scenario/schema";
 import type { DraftErrors } from "../jobForm/problems";
 import { isLike } from "../../lib/storage";
@@ -111,7 +111,7 @@ function wholeNumber(text: string, least: number, most: number, what: string): n
 
 function rangeOf(field: NumberField, draft: FieldDraft): readonly [number, number] {
   const ends = [typed(field, draft.from, "From"), typed(field, draft.to, "To")] as const;
-  if (ends[0] >= ends[1]) throw new FieldError("From has to be less than to");
+  if (ends[0] >= ends[1]) throw new FieldError(NO_RANGE);
   return ends;
 }
 

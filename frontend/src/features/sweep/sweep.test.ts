@@ -111,7 +111,7 @@ describe("what is sent", () => {
         strategies: "Choose at least one strategy",
         "road.bump.height": "To: must be from −100 to 100\u00a0cm",
         "road.seed": "x: enter a number, e.g. 0.12; no commas for thousands",
-        "mpc.lag": "From has to be less than to",
+        "mpc.lag": "From has to be less than To",
         "mpc.force_weight": "Values: a whole number from 1 to 10000",
         "road.bump.shape": "Choose at least one",
       },

@@ -68,7 +68,7 @@ describe("a study", () => {
     });
     expect(change({ ranges: draft.ranges.map((each) => ({ ...each, from: "0.1", to: "0.02" })) })).toMatchObject({
       ok: false,
-      errors: { "road.bump.height": "From has to be less than to", "road.seed": "From: must be a whole number" },
+      errors: { "road.bump.height": "From has to be less than To", "road.seed": "From: must be a whole number" },
     });
     expect(change({ samples: "19" })).toMatchObject({
       ok: false,

@@ -7,7 +7,7 @@ import { ChangeMark } from "../../features/tables/ChangeMark";
 import tables from "../../features/tables/tables.module.css";
 import { dotted } from "../../scenario/fields";
 import { formatResult } from "../../units/format";
-import type { Shown } from "./figures";
+import type { ShownNumber } from "./figures";
 import type { Point, TuningParts } from "./points";
 import { formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
 import { DataTable, type Column } from "../../ui/DataTable";
@@ -90,7 +90,7 @@ function PointHead({ point: { trial, names }, load }: { readonly point: Point; r
   );
 }
 
-const objectiveRows = (objectives: readonly Shown[], tuning: Tuning) =>
+const objectiveRows = (objectives: readonly ShownNumber[], tuning: Tuning) =>
   objectives.map(({ label, unit, scale }, index): Row => ({
     label,
     unit,
@@ -109,7 +109,7 @@ const objectiveRows = (objectives: readonly Shown[], tuning: Tuning) =>
     ),
   }));
 
-const limitRows = (limits: readonly Shown[], tuning: Tuning) =>
+const limitRows = (limits: readonly ShownNumber[], tuning: Tuning) =>
   limits.map(({ label, unit, scale }, index): Row => ({
     label: `${label}, largest`,
     unit,

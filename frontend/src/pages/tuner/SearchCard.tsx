@@ -9,7 +9,7 @@ import { ON_PAPER, PALETTES } from "../../plots/palettes";
 import { useStrategies } from "../../server/useCatalogues";
 import { count, formatResult } from "../../units/format";
 import { frontFigure, historyFigure, volumeFigure, type Look } from "./charts";
-import type { Shown } from "./figures";
+import type { ShownNumber } from "./figures";
 import { firstTrial } from "./space";
 import type { Point, TuningParts } from "./points";
 import { Choice } from "../../ui/Entry";
@@ -139,7 +139,7 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
   );
 }
 
-function describe(tuning: Tuning, objectives: readonly Shown[]): string {
+function describe(tuning: Tuning, objectives: readonly ShownNumber[]): string {
   const { front, paper, history } = tuning;
   const names = objectives.map(({ label }) => label).join(" against ");
   if (objectives.length > 1)

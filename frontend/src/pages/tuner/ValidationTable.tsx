@@ -9,7 +9,7 @@ import type { Metric } from "../../server/metrics";
 import { formatPercent } from "../../features/tables/change";
 import tables from "../../features/tables/tables.module.css";
 import { formatResult } from "../../units/format";
-import { ofKey, type Shown } from "./figures";
+import { ofKey, type ShownNumber } from "./figures";
 import { firstTrial } from "./space";
 import { firstName, roleName, type TuningParts } from "./points";
 import { DataTable, type Column } from "../../ui/DataTable";
@@ -130,7 +130,7 @@ function SignedLine({ keeps, children }: { readonly keeps: Keeps; readonly child
   );
 }
 
-interface Row extends Shown {
+interface Row extends ShownNumber {
   readonly key: string;
   readonly isLimit: boolean;
   /** Of a limit. */

@@ -6,7 +6,7 @@ import { type Palette, chartLayout, referenceLine } from "../../plots/palettes";
 import type { LineTrace, PointTrace } from "../../plots/plotly";
 import { formatResult, prettyUnit, titleWithUnit } from "../../units/format";
 import { humanise } from "../../scenario/schema";
-import type { Shown } from "./figures";
+import type { ShownNumber } from "./figures";
 
 export interface Look {
   readonly palette: Palette;
@@ -14,7 +14,7 @@ export interface Look {
   readonly colour: string;
 }
 
-const axisTitle = ({ label, unit }: Shown) => titleWithUnit(label, unit);
+const axisTitle = ({ label, unit }: ShownNumber) => titleWithUnit(label, unit);
 
 const PAD = 0.12;
 /** What is far worse than the paper's weights would squeeze everything else into a corner: so much of the span beyond them is shown. */
@@ -28,7 +28,7 @@ export function rangeOf(must: readonly number[], rest: readonly number[]): reado
   return [low - PAD * span, top + PAD * span];
 }
 
-const valueOf = (trial: Trial, objective: number, { scale }: Shown) => (trial.values?.[objective] ?? NaN) * scale;
+const valueOf = (trial: Trial, objective: number, { scale }: ShownNumber) => (trial.values?.[objective] ?? NaN) * scale;
 
 interface Named {
   readonly trial: Trial;
@@ -47,10 +47,10 @@ export interface FrontInput extends Input {
   /** Which objectives, by place. */
   readonly x: number;
   readonly y: number;
-  readonly objectives: readonly Shown[];
+  readonly objectives: readonly ShownNumber[];
 }
 
-function textOf(trial: Trial, objectives: readonly Shown[], name?: string): string {
+function textOf(trial: Trial, objectives: readonly ShownNumber[], name?: string): string {
   const values = objectives.map((shown, index) =>
     `${shown.label}: ${formatResult(valueOf(trial, index, shown), 4)} ${prettyUnit(shown.unit)}`.trim(),
   );
@@ -60,7 +60,7 @@ function textOf(trial: Trial, objectives: readonly Shown[], name?: string): stri
 /** Trials as points by two of their values: all that ran, a ring around the selected one, and what makes points of others. */
 function pointsBy(
   { trials, picked, palette }: Input,
-  objectives: readonly Shown[],
+  objectives: readonly ShownNumber[],
   x: (trial: Trial) => number,
   y: (trial: Trial) => number,
 ) {
@@ -169,13 +169,13 @@ export interface HistoryInput extends Input {
   readonly paper: Trial | null;
   /** What that one is. */
   readonly first: string;
-  readonly shown: Shown;
+  readonly shown: ShownNumber;
 }
 
 /** Each trial that was better than all before it, and the last one. */
 function bestSoFar(
   driven: readonly Trial[],
-  shown: Shown,
+  shown: ShownNumber,
 ): readonly { readonly number: number; readonly value: number }[] {
   let least = Infinity;
   const better = driven.flatMap((trial) => {

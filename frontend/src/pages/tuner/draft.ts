@@ -2,7 +2,7 @@
 
 import type { StrategyId, TuningChoice } from "../../api/types";
 import type { Metric } from "../../server/metrics";
-import { parseTyped, typedText } from "../../scenario/limits";
+import { NO_RANGE, parseTyped, typedText } from "../../scenario/limits";
 import { OWN } from "../../scenario/ownOptions";
 import type { Group } from "../../scenario/schema";
 import { isLike } from "../../lib/storage";
@@ -185,7 +185,7 @@ function search(
         return parsed.ok ? parsed.value : NaN;
       };
       const ends = [end(range.from), end(range.to)] as const;
-      if (ends[0] >= ends[1]) put(`search.${name}`, "From has to be less than to");
+      if (ends[0] >= ends[1]) put(`search.${name}`, NO_RANGE);
       return [name, ends];
     }),
   );

@@ -5,23 +5,23 @@ import type { Limit, Objective, Tuning } from "../../api/types";
 import { fullName, type Metric } from "../../server/metrics";
 import { useCatalogues, type Catalogues } from "../../server/useCatalogues";
 
-export interface Shown {
+export interface ShownNumber {
   readonly label: string;
   readonly unit: string;
   /** From SI to `unit`. */
   readonly scale: number;
 }
 
-const ofFigure = (name: string, figures: readonly Metric[]): Shown | null => {
+const ofFigure = (name: string, figures: readonly Metric[]): ShownNumber | null => {
   const figure = figures.find(({ key }) => key === name);
   return figure ? { label: fullName(figure), unit: figure.unit, scale: figure.scale } : null;
 };
 
-export function ofObjective({ figure, label, unit }: Objective, figures: readonly Metric[]): Shown {
+export function ofObjective({ figure, label, unit }: Objective, figures: readonly Metric[]): ShownNumber {
   return (figure === null ? null : ofFigure(figure, figures)) ?? { label, unit, scale: 1 };
 }
 
-export function ofLimit({ figure, label, unit }: Limit, figures: readonly Metric[]): Shown {
+export function ofLimit({ figure, label, unit }: Limit, figures: readonly Metric[]): ShownNumber {
   return ofFigure(figure, figures) ?? { label, unit, scale: 1 };
 }
 
@@ -30,7 +30,7 @@ export function ofKey(
   key: string,
   { objectives, limits }: Pick<Tuning, "objectives" | "limits">,
   figures: readonly Metric[],
-): Shown {
+): ShownNumber {
   const [, list, index] = /^(objectives|limits)\.(\d+)$/.exec(key) ?? [];
   const objective = list === "objectives" ? objectives[Number(index)] : undefined;
   const limit = list === "limits" ? limits[Number(index)] : undefined;

@@ -2,7 +2,7 @@
 
 import type { Trial, Tuning } from "../../api/types";
 import type { RunInLab } from "../../ui/useOpenInLab";
-import type { Shown } from "./figures";
+import type { ShownNumber } from "./figures";
 import type { Tunable } from "./space";
 
 export interface Point {
@@ -46,8 +46,8 @@ export function roleName(role: string, labels: readonly string[], first: string)
 /** What a tuning's page gives its cards. */
 export interface TuningParts {
   readonly tuning: Tuning;
-  readonly objectives: readonly Shown[];
-  readonly limits: readonly Shown[];
+  readonly objectives: readonly ShownNumber[];
+  readonly limits: readonly ShownNumber[];
   readonly tunable: Tunable;
   readonly points: readonly Point[];
   /** The tuned strategy's. */
