@@ -116,7 +116,9 @@ async def get_run(
     service: RunsService,
     client: Client,
     requirements: Required = None,
-    baseline: Annotated[str | None, Query(description="What their changes refer to", max_length=64)] = None,
+    baseline: Annotated[
+        str | None, Query(description="What their changes refer to", min_length=1, max_length=64)
+    ] = None,
 ) -> Response:
     """A stored run; it changes only where its results were removed and another core version computes them again."""
     tag = f'W/"{run_id}"'  # weak: the body may be compressed
@@ -133,7 +135,9 @@ async def get_changes(
     service: RunsService,
     client: Client,
     against: Annotated[str | None, Query(description="Id of a run over the same roads", max_length=64)] = None,
-    baseline: Annotated[str | None, Query(description="In its place one of this run's strategies")] = None,
+    baseline: Annotated[
+        str | None, Query(description="In its place one of this run's strategies", min_length=1)
+    ] = None,
 ) -> Response:
     """Of a run over several roads: changes against another run, strategy by strategy, or a strategy; paired by road."""
     work = service.changes(run_id, client, against=against, baseline=baseline)
@@ -197,7 +201,10 @@ async def get_differences(
     curves: CurvesService,
     client: Client,
     baseline: Annotated[
-        str | None, Query(description="Strategy or recording that they are against; omitted is passive, or the first")
+        str | None,
+        Query(
+            description="Strategy or recording that they are against; omitted is passive, or the first", min_length=1
+        ),
     ] = None,
 ) -> Deviations:
     """How far every strategy's curves lie from one's at the same positions, signal by signal, on the first road."""
@@ -269,7 +276,9 @@ async def get_run_report(
     request: Request,
     reports: ReportsService,
     client: Client,
-    baseline: Annotated[str | None, Query(description="Whose figures the changes refer to; omitted is passive")] = None,
+    baseline: Annotated[
+        str | None, Query(description="Whose figures the changes refer to; omitted is passive", min_length=1)
+    ] = None,
     against: Annotated[str | None, Query(description="A run they refer to instead, by strategy", max_length=64)] = None,
     x: Axis = "position",
     requirements: Required = None,

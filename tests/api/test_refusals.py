@@ -206,6 +206,7 @@ def test_a_value_is_refused_at_its_place(
         ("runs/RUN/series", {"strategy": "lv", "points": "1"}, "points"),
         ("runs/RUN/series", {"strategy": "lv", "format": "xls"}, "format"),
         ("runs/RUN/report.html", {"baseline": "speed_only"}, "baseline"),
+        ("runs/RUN/differences", {"baseline": ""}, "baseline"),
         ("runs/RUN/instant", {"strategy": "skyhook", "position": "50"}, "strategy"),
         ("runs/RUN/instant", {"strategy": "nobody", "position": "50"}, "strategy"),
         ("runs/RUN/instant", {"strategy": "lv"}, "position"),

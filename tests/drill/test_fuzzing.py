@@ -29,6 +29,9 @@ PHASES = ["Examples", "Coverage", "Fuzzing", "Stateful"]
 # cost to be bearable. Those are 422.
 CONFIGURATION = """
 continue-on-failure = true
+checks.negative_data_rejection.expected-statuses = [
+    400, 401, 403, 404, 405, 406, 409, 414, 415, 422, 428, 429, "5xx",
+]
 
 [dictionaries.run]
 values = ["{run}"]
