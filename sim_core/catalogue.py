@@ -103,6 +103,13 @@ EVENTS = _catalogue(
     Entry("front_airborne_ms", "Front tyre airborne", "ms"),
     Entry("rear_airborne_ms", "Rear tyre airborne", "ms"),
     Entry(
+        "stop_contact_ms",
+        "Bump stop in contact",
+        "ms",
+        "time either suspension is deflected beyond its bump stops' clearance; 0 without bump stops",
+        notable=1.0,
+    ),
+    Entry(
         "target_reached",
         "Target speed reached",
         "1",

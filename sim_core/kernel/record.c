@@ -1,5 +1,5 @@
 /* Integrals and peaks of a run's signals in sections of its drive, the weighted acceleration, the actuators' power and the
-   time in the air, held command after held command (sim_core/metrics/evaluate.py). */
+   times in the air and on the bump stops, held command after held command (sim_core/metrics/evaluate.py). */
 
 #include "record.h"
 
@@ -23,6 +23,7 @@ struct weighting {
 struct found {
     double power, most_power;              /* of both actuators: its integral, its peak [W] */
     double airborne[1 + AXLES];            /* of any tyre, of the front one, of the rear one */
+    double on_stops;                       /* either suspension on its bump stops */
     double weighted_squares, weighted_fourths; /* sums over samples */
     double modes[2][MODES];                /* of the weighting, at present */
 };
@@ -33,6 +34,7 @@ struct record_numbers {
     double sections, weighted_samples; /* how many */
     double instants;                   /* of the drive in fine steps, and one */
     double stiffness[AXLES], least_load[AXLES], airborne_load[AXLES]; /* of the tyres; the last where they are in the air */
+    double clearance;                  /* of the bump stops either way [m], infinity without any */
 };
 
 struct recorder {
@@ -125,6 +127,17 @@ static void add_airborne(struct recorder *me, double last)
         }
         me->found->airborne[kind] += trapezoids(me->work, last, &most);
     }
+}
+
+/* Time with either suspension deflected beyond the clearance of its bump stops. */
+static void add_on_stops(struct recorder *me, double last)
+{
+    double most = 0, clearance = me->numbers->clearance;
+    for (int i = 0; i <= (int)me->numbers->fine; i++) {
+        const double *travel = me->samples[i] + TRAVEL_SIGNAL;
+        me->work[i] = fabs(travel[0]) > clearance || fabs(travel[1]) > clearance;
+    }
+    me->found->on_stops += trapezoids(me->work, last, &most);
 }
 
 /* A step of the weighting's modes, real and imaginary parts, from sample a to b. */
@@ -228,6 +241,9 @@ void ridelab_record(struct recorder *me, int step)
     if (last > 0 && (highest[LOAD - ACCELERATION] >= -numbers->airborne_load[0] ||
                      highest[LOAD - ACCELERATION + 1] >= -numbers->airborne_load[1]))
         add_airborne(me, last);
+    if (last > 0 && (highest[TRAVEL_SIGNAL - ACCELERATION] > numbers->clearance ||
+                     highest[TRAVEL_SIGNAL - ACCELERATION + 1] > numbers->clearance))
+        add_on_stops(me, last);
     int samples = (int)numbers->weighted_samples - begin;
     add_weighted(me, samples < fine ? samples : fine);
 }

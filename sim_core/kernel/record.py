@@ -11,7 +11,7 @@ from sim_core.kernel.library import INT, Array, Function, Prepared, require
 LAYOUT = 9  # numbers of `struct layout` in road.h
 SIGNALS = 10  # numbers of a sample, as record.h has them
 WEIGHTING = 24  # numbers of `struct weighting` in record.c
-_METRICS, _RECORD, _FOUND = 8, 11, 15  # signals with a metric; numbers of `struct record_numbers` and `struct found`
+_METRICS, _RECORD, _FOUND = 8, 12, 16  # signals with a metric; numbers of `struct record_numbers` and `struct found`
 _LINE, _TABLE, _TABLE_OUT = Array(ndim=1), Array(ndim=2), Array(ndim=2, written=True)
 _prepare_recorder = Function(
     "prepare_recorder",
@@ -35,6 +35,7 @@ class Recorder:
         weighted_samples: Samples of which the acceleration is weighted.
         weighting: `struct weighting` of record.c (24,).
         tyres: Of both axles their stiffness [N/m], lowest load and that at which they are in the air [N] (3, 2).
+        clearance: Of the bump stops either way [m]; infinity without any.
         road: Samples of its roughness (m,) [m] and layout (9,).
         position: Of both axles at every fine instant of the drive (2, n) [m].
         height: Of the road there [m].
@@ -59,6 +60,7 @@ class Recorder:
         weighted_samples: int,
         weighting: FloatArray,
         tyres: FloatArray,
+        clearance: float,
         road: tuple[FloatArray, FloatArray],
         position: FloatArray,
         height: FloatArray,
@@ -81,7 +83,7 @@ class Recorder:
         self._found = np.zeros(_FOUND)
         self.samples = np.empty((fine + 1, SIGNALS))
         self.prepared = _prepare_recorder.prepare(
-            np.array([fine, first, sections, weighted_samples, instants, *tyres.ravel()], dtype=np.float64),
+            np.array([fine, first, sections, weighted_samples, instants, *tyres.ravel(), clearance], dtype=np.float64),
             *(ends, rise, self.integrals, self.peaks, self._found, weighting, self.samples, np.empty(fine + 1)),
             *(samples, len(samples), layout, position, height, kinks),
         )
@@ -107,6 +109,11 @@ class Recorder:
         return airborne
 
     @property
+    def on_stops(self) -> float:
+        """For how long either suspension was on its bump stops."""
+        return float(self._found[5])
+
+    @property
     def weighted(self) -> tuple[float, float]:
         """Sums of the weighted acceleration's squares and fourth powers over the samples."""
-        return float(self._found[5]), float(self._found[6])
+        return float(self._found[6]), float(self._found[7])

@@ -53,6 +53,7 @@ def evaluate(run: Run, windows: Windows, recorder: Recorder, recording: Recordin
         },
         events={
             **dict(zip(_AIRBORNE, (1000 * fine_step * time for time in recorder.airborne), strict=True)),
+            "stop_contact_ms": 1000 * fine_step * recorder.on_stops,
             "target_reached": _target_reached(scenario, arrival) if planned else None,
             "bump_complete": scenario.bump_left <= scenario.road.length,
             "travel_exceeded_mm": max(0.0, travel - scenario.mpc.deflection_limit) * 1000,

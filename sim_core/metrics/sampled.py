@@ -90,6 +90,17 @@ def airborne_ms(signals: Mapping[str, FloatArray], span: Span | None, static: Sp
     }
 
 
+def stop_contact_ms(signals: Mapping[str, FloatArray], span: Span | None, clearance: float | None) -> float:
+    """Time with either suspension beyond the clearance [m] of its bump stops [ms], None where it has none."""
+    if clearance is None:
+        return 0.0
+    if span is None:
+        return nan
+    time, deflections = _between(signals, ("front_deflection", "rear_deflection"), span)
+    beyond = np.where(np.isnan(deflections), nan, np.abs(deflections) > clearance)
+    return 1000 * float(np.trapezoid(beyond.max(axis=0), time))
+
+
 def _between(signals: Mapping[str, FloatArray], keys: tuple[str, ...], span: Span) -> tuple[FloatArray, FloatArray]:
     """The times of a span with both ends (n,) [s], and those signals there (signals, n)."""
     time = signals["time"]

@@ -13,7 +13,7 @@ from sim_core.arrays import FloatArray
 from sim_core.catalogue import EVENTS, METRIC_SIGNALS, SIGNALS, WINDOWS
 from sim_core.errors import RidelabError
 from sim_core.metrics.sampled import Span as Times
-from sim_core.metrics.sampled import airborne_ms, comfort_metrics, window_metrics
+from sim_core.metrics.sampled import airborne_ms, comfort_metrics, stop_contact_ms, window_metrics
 from sim_core.recorded.alignment import Placement, correlations, place
 from sim_core.result import RecordingReport, Series, Span, StrategyResult
 from sim_core.scenario import Scenario
@@ -185,6 +185,7 @@ def _evaluated(scenario: Scenario, signals: Mapping[str, FloatArray], strategy: 
     arrival = _speed_at(road.bump.start, signals) if timed else nan
     events: dict[str, float | bool | None] = dict.fromkeys(EVENTS, None)
     events |= airborne_ms(signals, whole, static)
+    events["stop_contact_ms"] = stop_contact_ms(signals, whole, scenario.real_vehicle.bump_stop_clearance)
     events["bump_complete"] = spans["bump"] is not None and scenario.bump_left <= road.length
     events["travel_exceeded_mm"] = max(0.0, travel - scenario.mpc.deflection_limit) * 1000 if travel == travel else None
     return StrategyResult(

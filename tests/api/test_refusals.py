@@ -139,7 +139,7 @@ def second(**requirement: Any) -> dict[str, Any]:
         ("solve", {"field": "road.seed"}, "/field", "its values have no order"),
         ("solve", {"metric": "bump.nothing"}, "/metric", "Unknown metric"),
         ("solve", {"metric": "events.target_reached"}, "/metric", "Unknown metric"),
-        ("solve", {"metric": "events.ecu_most_iterations"}, "/metric", "passive has no"),
+        ("solve", {"metric": "events.ecu_most_iterations"}, "/metric", "Passive has no"),
         ("solve", HELD, "/metric", ""),
         ("solve", second(min=0), "/limit", ""),
         ("solve", {**HELD, **second(max=1, strategies=["lqr"])}, "/requirements/1/strategies", ""),

@@ -30,6 +30,7 @@ def recorder(fine: int, steps: int, ends: FloatArray, **changed: Any) -> Recorde
         "weighted_samples": fine * (steps - 1) + 1,
         "weighting": np.zeros(WEIGHTING),
         "tyres": np.array([[1.0, 1.0], [-np.inf, -np.inf], [-STATIC, -STATIC]]),
+        "clearance": np.inf,
         "road": (np.zeros(50), LAYOUT),
         "position": np.zeros((2, instants)),
         "height": np.zeros((2, instants)),
@@ -92,6 +93,21 @@ def test_power_and_time_in_the_air_are_trapezoids_up_to_the_last_place(fine: int
     kinds = lifted.any(axis=2), lifted[:, :, 0], lifted[:, :, 1]
     expected = [in_section("value", kind.astype(float), 0.0, last)[0] for kind in kinds]
     np.testing.assert_allclose(result.airborne, expected, rtol=1e-12)
+
+
+@pytest.mark.parametrize("moving", [(1, 1), (0, 1), (1, 0)], ids=["both", "rear", "front"])
+@pytest.mark.parametrize("fine", [1, 4])
+def test_time_on_the_stops_is_that_of_either_suspension_beyond_the_clearance(
+    fine: int, moving: tuple[float, float]
+) -> None:
+    table, last = default_rng(fine).normal(size=(8, fine + 1, SIGNALS)), 6.7 * fine
+    table[:, :, 6:8] *= moving
+    ends = np.array([[0.0, fine], [fine, last]])
+    beyond = (np.abs(table[:, :, 6:8]) > 1.2).any(axis=2)
+    assert 0 < beyond.sum() < beyond.size
+    expected = in_section("value", beyond.astype(float), 0.0, last)[0]
+    assert measured(table, ends, clearance=1.2).on_stops == pytest.approx(expected, rel=1e-12)
+    assert measured(table, ends).on_stops == 0, "there are none"
 
 
 def test_acceleration_is_weighted_by_the_standards_filter_along_lines() -> None:

@@ -99,6 +99,17 @@ def test_a_tyre_that_lifts_off_never_pulls() -> None:
         assert lifts.metrics["bump"][f"{axle}_tyre_load"]["peak"] != pulls.metrics["bump"][f"{axle}_tyre_load"]["peak"]
 
 
+def test_time_on_the_stops_is_the_time_beyond_their_clearance() -> None:
+    kerb = Road(roughness=0, bump=Bump(height=0.12, width=1.5))
+    met = simulate(Scenario(road=kerb, vehicle=Vehicle(bump_stop_clearance=0.05)), "passive")
+    beyond = np.any([np.abs(met.series[f"{axle}_deflection"]) > 0.05 for axle in ("front", "rear")], axis=0)
+    step = float(met.series["time"][1])
+    # Each of the few contacts begins and ends within a step of the series.
+    assert event(met, "stop_contact_ms") == pytest.approx(1000 * step * beyond.sum(), abs=8000 * step)
+    assert event(met, "stop_contact_ms") > 10
+    assert event(simulate(Scenario(road=kerb), "passive"), "stop_contact_ms") == 0
+
+
 def test_controllers_believe_in_the_linear_car() -> None:
     """Their designs are the same to the bit; only the car that is driven differs."""
     real = Vehicle(rebound_ratio=2.5, bump_stop_clearance=0.05, tyre_lift_off=True)

@@ -17,6 +17,8 @@ def caveats(entry: JsonObject, vehicle: JsonObject) -> list[str]:
             else f"Airborne: for {airborne} a tyre's dynamic load is below minus its static load. The model's linear "
             "tyre then pulls on the road, which a real one cannot."
         )
+    if on_stops := _notable(events, "stop_contact_ms"):
+        sentences.append(f"Bump stop: a suspension is on its bump stops for {on_stops}.")
     if exceeded := _notable(events, "travel_exceeded_mm"):
         stops = " The model has no bump stops." if vehicle["bump_stop_clearance"] is None else ""
         sentences.append(f"Over travel: the suspension goes {exceeded} beyond its travel limit.{stops}")

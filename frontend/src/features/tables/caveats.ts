@@ -26,6 +26,7 @@ const notable =
 
 const WORDINGS: Readonly<Record<string, Wording>> = {
   airborne_ms: notable((shown) => `airborne ${shown}`),
+  stop_contact_ms: notable((shown) => `on a bump stop ${shown}`),
   travel_exceeded_mm: notable((shown) => `${shown} over the travel limit`),
   target_reached: (value) => (value === false ? "target speed not reached" : null),
 };

@@ -95,7 +95,7 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
       <Group gap="0" align="flex-start" justify="space-between" wrap="nowrap" pr="0.7rem">
         <Text size="xs" p="0.2rem 0.9rem 0.6rem" c="dimmed" data-testid="map-note">
           {colours}. {sentence}
-          {hatched(grid, columns).flat().includes(true) && " Strokes: a tyre was in the air."}
+          {hatched(grid, columns).flat().includes(true) && " Strokes: a tyre was in the air or a bump stop was hit."}
           {first !== null &&
             ` Crosses: a requirement fails, first at ${fieldTexts(columns, first, batch.fields).join(", ")}.`}
           {unsettled(grid, noise).flat().includes(true) && " Pale: within one road’s luck."}
@@ -134,7 +134,7 @@ interface Input {
   readonly textOf: (row: number, value: number) => readonly string[];
   /** Values of cells whose run is still to come, as those nearby suggest. */
   readonly coarse: readonly (readonly (number | null)[])[];
-  /** Cells in which a tyre was in the air. */
+  /** Cells in which a tyre was in the air or a bump stop was hit. */
   readonly hatched: readonly (readonly boolean[])[];
   /** Cells whose run fails a requirement. */
   readonly failing: readonly (readonly boolean[])[];
@@ -202,7 +202,7 @@ function line({ grid, threshold, unit }: Input): readonly GridTrace[] {
 
 const GROUND = { light: "#ffffff", dark: "#1a1b1e" } as const;
 
-/** Over the cells: a veil where the change may be luck, strokes where a tyre was in the air, crosses where a requirement fails. */
+/** Over the cells: a veil where the change may be luck, strokes where a tyre was in the air or a stop was hit, crosses where a requirement fails. */
 function marks({ grid, hatched, failing, pale, scheme }: Input): readonly (GridTrace | PointTrace)[] {
   const [xs, ys] = [grid.xs.map(named), grid.ys.map(named)];
   const veil: GridTrace = {

@@ -70,6 +70,10 @@ describe("a map", () => {
       [false, false],
       [true, false],
     ]);
+    expect(hatched(grid, { ...COLUMNS, "events.stop_contact_ms": [3, 0, 0, 0, 0, 0, 0.5, 0] })).toEqual([
+      [true, false],
+      [false, false],
+    ]);
     expect(unsettled(grid, 60)).toEqual([
       [true, false],
       [true, false],

@@ -15,11 +15,14 @@ export interface MapGrid {
   readonly rows: readonly (readonly (number | null)[])[];
 }
 
-const AIRBORNE = "events.airborne_ms";
+/** Events that a linear car says nothing of. */
+const BEYOND_LINEAR = ["events.airborne_ms", "events.stop_contact_ms"];
 
-/** Where a tyre was in the air, cell by cell. */
+/** Where a tyre was in the air or a bump stop was hit, cell by cell. */
 export const hatched = ({ rows }: MapGrid, columns: Columns): readonly (readonly boolean[])[] =>
-  rows.map((line) => line.map((row) => row !== null && Number(cell(columns, AIRBORNE, row) ?? 0) >= 1));
+  rows.map((line) =>
+    line.map((row) => row !== null && BEYOND_LINEAR.some((event) => Number(cell(columns, event, row) ?? 0) >= 1)),
+  );
 
 /** Where the run fails what is required of it, cell by cell. */
 export const failing = ({ rows }: MapGrid, columns: Columns): readonly (readonly boolean[])[] =>
