@@ -9,7 +9,7 @@ from backend.metrics import BATCH_QUEUE, BATCHES
 from backend.runs.compute_run import compute
 from backend.store import StoredJob
 
-COARSEST = 8  # of a grid's fields every so manieth value is computed first
+COARSEST = 8  # the first round takes every eighth value of each of a grid's fields
 
 
 def coarse_first(job: StoredJob) -> NDArray[np.intp]:

@@ -54,7 +54,7 @@ class BatchItem(Answer):
     scenario: JsonObject
     strategies: list[str]
     fields: list[BatchField]
-    notes: list[str] = Field([], description="What its runs do not depend on; empty of old batches")
+    notes: list[str] = Field([], description="Which of its runs are alike, and why; empty of old batches")
     baseline: str | None = Field(None, description="What its requirements' changes are against; null is passive")
     requirements: list[Requirement] = Field([], description="What its runs are held to; `/requirements` says how")
     estimated_cost: float = Field(description="Estimate [s of one core]")
@@ -91,7 +91,9 @@ class Estimate(Answer):
     total: int = Field(description="Runs: points times strategies")
     contradictory: int = Field(description="Runs whose fields contradict each other: they would be failed rows")
     estimated_cost: float = Field(description="Estimate, which is compared with the limit [s of one core]")
-    notes: list[str] = Field(description="What its runs do not depend on: fields a strategy does not read, and such")
+    notes: list[str] = Field(
+        description="Which of its runs are alike, and why: fields that a strategy does not read, equal points"
+    )
     estimated_seconds: float | None = Field(description="By some runs tried just now [s]; none where trying takes long")
 
 

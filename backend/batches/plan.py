@@ -32,7 +32,7 @@ class SweepPlan:
 
     Attributes:
         fields: Dotted names of the fields that change.
-        notes: What its runs do not depend on, in sentences.
+        notes: Which of its runs are alike, and why, in sentences.
         runs: A point's strategies side by side; one whose fields contradict each other has failed already.
         total: How many there are.
         contradictory: How many have failed already.

@@ -26,7 +26,7 @@ class RunningJob:
         compute: What a worker computes of each run.
         group: Cancels all its chunks together.
         order: Positions of its runs in the order in which they are computed.
-        looked_at: So many of them are computed or sent.
+        sent: How many of them are sent or need not be.
         returned: Chunks to send again before new ones are cut.
         open_chunks: Chunks sent and not yet stored.
         last_send: Number of its last chunk among all chunks sent.
@@ -38,7 +38,7 @@ class RunningJob:
     compute: ComputeRun
     group: str = field(default_factory=digest.random_id)
     order: NDArray[np.intp]
-    looked_at: int = 0
+    sent: int = 0
     returned: list[list[JobRun]] = field(default_factory=list)
     open_chunks: int = 0
     last_send: int = 0
@@ -49,17 +49,19 @@ class RunningJob:
         """The next chunk, where all jobs have at most `max_chunks` open; empty where every run is sent or done."""
         if self.returned:
             return self.returned.pop(0)
-        while self.looked_at < len(self.order):
-            next_ones = self.order[self.looked_at : self.looked_at + LONGEST_CHUNK].tolist()
+        size = looked = self.size(max_chunks)
+        while self.sent < len(self.order):
+            next_ones = self.order[self.sent : self.sent + looked].tolist()
             waiting = await store.write(store.job_runs.waiting, self.job.id, next_ones)
             by_position = {run.position: run for run in waiting}
-            runs = [by_position[each] for each in next_ones if each in by_position][: self.size(max_chunks)]
+            runs = [by_position[each] for each in next_ones if each in by_position][:size]
             if len(runs) < len(waiting):
-                self.looked_at += next_ones.index(runs[-1].position) + 1
+                self.sent += next_ones.index(runs[-1].position) + 1
             else:
-                self.looked_at += len(next_ones)
+                self.sent += len(next_ones)
             if runs:
                 return runs
+            looked = min(2 * looked, LONGEST_CHUNK)  # much of a job that goes on is done already
         return []
 
     def take_back(self, *chunks: list[JobRun]) -> None:
@@ -92,5 +94,5 @@ class RunningJob:
     def size(self, max_chunks: int) -> int:
         """Runs in the next chunk, where `max_chunks` can be open: at the end the processes share the rest."""
         each = self.run_seconds or self.job.estimated_cost / self.job.total
-        left = len(self.order) - self.looked_at
+        left = len(self.order) - self.sent
         return max(1, min(LONGEST_CHUNK, int(CHUNK_SECONDS / max(each, 1e-4)), math.ceil(left / max_chunks)))

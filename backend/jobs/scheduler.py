@@ -270,7 +270,7 @@ class Scheduler:
             if self._kinds[running.job.kind].passing:
                 await self._forget(job_id)
         else:  # something waits after all: from the start
-            running.looked_at = 0
+            running.sent = 0
 
     async def _forget(self, job_id: str) -> None:
         """Delete a job that is done; one with failures stays and says why."""

@@ -283,14 +283,14 @@ def test_what_cannot_be_tuned_is_refused_at_its_field(body: dict[str, Any], plac
 
 
 def test_the_rest_of_a_batch_is_shared_among_its_processes() -> None:
-    def running_job(total: int, looked_at: int = 0, estimated_cost: float = 1.5) -> RunningJob:
+    def running_job(total: int, sent: int = 0, estimated_cost: float = 1.5) -> RunningJob:
         job = replace(BATCH, total=total, estimated_cost=estimated_cost)
-        return RunningJob(compute=compute, job=job, order=np.arange(total), looked_at=looked_at)
+        return RunningJob(compute=compute, job=job, order=np.arange(total), sent=sent)
 
-    running = running_job(64, looked_at=32)
+    running = running_job(64, sent=32)
     running.record_time(32, 0.64)
     assert running.size(max_chunks=4) == 8, "32 are left"
-    running.looked_at = 56
+    running.sent = 56
     assert running.size(max_chunks=4) == 2, "8 are left"
     long = running_job(10_000)
     long.record_time(1, 0.02)

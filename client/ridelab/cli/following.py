@@ -105,7 +105,7 @@ def show_estimate(estimate: Mapping[str, Any], runs: str, units: str, *, as_json
 
 
 def _note_each(answer: Mapping[str, Any]) -> None:
-    """What a sweep's runs do not depend on."""
+    """Which of a sweep's runs are alike, and why."""
     for said in answer.get("notes", ()):
         note(said)
 

@@ -37,7 +37,7 @@ export function Spread({ summary, strategies, figures, opening }: Props) {
         Thin bars: 5 to 95 %. Thick ones: 25 to 75 %. Line: median. Diamond: nominal, the scenario itself. Circle: worst
         case.
       </Note>
-      <Columns className={columns.whole ?? ""} gap="0.4rem 2rem" p="0.3rem 1rem 0.8rem">
+      <Columns className={columns.whole ?? ""} least="18rem" gap="0.4rem 1rem" p="0.3rem 1rem 0.8rem">
         {shown.map((figure) => (
           <Intervals key={figure.key} {...{ summary, strategies, figure }} />
         ))}

@@ -45,7 +45,7 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
       grid,
       hatched: hatched(grid, columns),
       failing: fails,
-      coarse: coarse(grid, columns),
+      coarse: isFinal(batch) ? [] : coarse(grid, columns),
       pale: unsettled(grid, noise),
       x,
       y: other,
@@ -57,9 +57,9 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
     };
     return {
       drawn: mapFigure({ ...input, palette: PALETTES[scheme], scheme }),
-      onPaper: () => mapFigure({ ...input, palette: ON_PAPER, scheme: "light" }),
+      onPaper: () => mapFigure({ ...input, coarse: [], palette: ON_PAPER, scheme: "light" }),
     };
-  }, [grid, columns, fails, noise, x, other, y, mapUnit, against, otherLabel, threshold, textOf, scheme]);
+  }, [grid, batch, columns, fails, noise, x, other, y, mapUnit, against, otherLabel, threshold, textOf, scheme]);
   const host = useRef<HTMLDivElement>(null);
 
   if (!grid || !other || !figure)

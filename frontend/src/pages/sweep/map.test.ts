@@ -42,11 +42,22 @@ describe("a map", () => {
   });
 
   it("shows where runs are still to come what the nearest ones have", () => {
-    const waiting = { ...COLUMNS, status: ["ok", "ok", "waiting", "ok", "waiting", "ok", "failed", "ok"] };
-    const grid = mapGrid({ ...waiting, peak: [1, 2, null, 3, null, 8, null, 9] }, QUESTION);
-    expect(grid && coarse(grid, waiting)).toEqual([
-      [null, 10],
-      [10, null],
+    const at = [0, 1, 2, 3].flatMap((height) => [0, 1, 2, 3].map((speed) => ({ height, speed })));
+    const peak = [1, null, null, null, null, null, null, 2, null, null, null, null, 3, null, null, null];
+    const columns: Columns = {
+      run: at.map((_, index) => index),
+      strategy: at.map(() => "lv"),
+      height: at.map(({ height }) => height),
+      speed: at.map(({ speed }) => speed),
+      peak,
+      status: peak.map((value, index) => (index === 5 ? "failed" : value === null ? "waiting" : "ok")),
+    };
+    const grid = mapGrid(columns, { ...QUESTION, scale: 1 });
+    expect(grid && coarse(grid, columns)).toEqual([
+      [null, 1, 3, null],
+      [1, null, 3, 3],
+      [1, 2, 2, 3],
+      [2, null, 2, 2],
     ]);
   });
 

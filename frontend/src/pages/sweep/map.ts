@@ -15,7 +15,7 @@ export interface MapGrid {
   readonly rows: readonly (readonly (number | null)[])[];
 }
 
-/** Events that a linear car says nothing of. */
+/** Events beyond the linear model. */
 const BEYOND_LINEAR = ["events.airborne_ms", "events.stop_contact_ms"];
 
 /** Where a tyre was in the air or a bump stop was hit, cell by cell. */
@@ -40,24 +40,24 @@ export function firstOf({ rows }: MapGrid, cells: readonly (readonly boolean[])[
 export const unsettled = ({ values }: MapGrid, noise: number): readonly (readonly boolean[])[] =>
   values.map((line) => line.map((value) => value !== null && Math.abs(value) < noise));
 
-/** Of each cell whose run waits the nearest value along its line, on an empty line the nearest line's; others `null`. */
+/** Of each cell that has no value yet the nearest one's, counted in cells; `null` in those that have one or failed. */
 export function coarse({ values, rows }: MapGrid, columns: Columns): readonly (readonly (number | null)[])[] {
-  const lines = values.map((line) => (line.some((value) => value !== null) ? nearest(line) : null));
-  const all = nearest(lines);
-  return rows.map((line, i) =>
-    line.map((row, j) => (row !== null && cell(columns, "status", row) === "waiting" ? (all[i]?.[j] ?? null) : null)),
+  const nearest = values.map((line) => [...line]);
+  let reached = values.flatMap((line, i) => line.flatMap((value, j) => (value === null ? [] : [[i, j] as const])));
+  while (reached.length > 0)
+    reached = reached.flatMap(([i, j]) =>
+      [[i - 1, j] as const, [i + 1, j] as const, [i, j - 1] as const, [i, j + 1] as const].filter(([y, x]) => {
+        const line = nearest[y];
+        if (line?.[x] !== null) return false;
+        line[x] = nearest[i]?.[j] ?? null;
+        return true;
+      }),
+    );
+  const isComing = (row: number | null | undefined) =>
+    typeof row === "number" && cell(columns, "status", row) !== "failed";
+  return values.map((line, i) =>
+    line.map((value, j) => (value === null && isComing(rows[i]?.[j]) ? (nearest[i]?.[j] ?? null) : null)),
   );
-}
-
-/** Each gap filled by what is nearest to it. */
-function nearest<Value>(cells: readonly (Value | null)[]): readonly (Value | null)[] {
-  const there = cells.flatMap((value, index) => (value === null ? [] : [{ value, index }]));
-  let next = 0;
-  return cells.map((_, index) => {
-    const distance = (place: number) => Math.abs((there[place]?.index ?? Infinity) - index);
-    while (distance(next + 1) < distance(next)) next++;
-    return there[next]?.value ?? null;
-  });
 }
 
 interface Question {
