@@ -5,6 +5,7 @@ import os
 import sys
 from contextlib import redirect_stdout, suppress
 from dataclasses import asdict, dataclass
+from importlib.util import source_from_cache
 from pathlib import Path
 from typing import Any
 
@@ -53,11 +54,16 @@ class Check:
 def main(file: Path, *, as_json: bool = False) -> int:
     """Print what was found in each controller; the exit code says whether anything is wrong."""
     _bound_memory()
-    beside: set[str] = set()
-    sys.addaudithook(lambda event, args: _note_opened(beside, file.absolute(), event, args))
+    opened: set[Path] = set()
+    sys.addaudithook(lambda event, args: _note_opened(opened, event, args))
+    checks = []
     try:
         with redirect_stdout(sys.stderr):  # what the file itself prints is no part of the answer
-            checks = [_check(each, file, beside) for each in load_controllers(file).values()]
+            controllers = load_controllers(file).values()
+            by_all = frozenset(opened)  # by loading: a module is read once, whichever of them uses it
+            for each in controllers:
+                opened &= by_all
+                checks.append(_check(each, file, opened))
     except ControllerFileError as error:
         sys.stdout.write(f"{error.message}\n")
         return UNUSABLE
@@ -71,13 +77,37 @@ def main(file: Path, *, as_json: bool = False) -> int:
     return FAULTS if any(each.faults for each in checks) else 0
 
 
-def _note_opened(beside: set[str], file: Path, event: str, args: tuple[Any, ...]) -> None:
-    """Add the names of files in the controllers' folder that are opened for reading."""
-    if event != "open" or not isinstance(args[0], str) or args[2] & (os.O_WRONLY | os.O_RDWR):
+def _note_opened(opened: set[Path], event: str, args: tuple[Any, ...]) -> None:
+    """Add a file that is opened for reading: the source of a compiled module."""
+    if event != "open" or not isinstance(args[0], str | bytes | os.PathLike):
         return
-    opened = Path(args[0]).absolute()
-    if opened.parent == file.parent and opened != file:
-        beside.add(opened.name)
+    if args[2] & (os.O_WRONLY | os.O_CREAT | os.O_TRUNC):
+        return
+    path = _absolute(os.fsdecode(args[0]))
+    with suppress(ValueError):  # not compiled
+        path = Path(source_from_cache(path))
+    opened.add(path)
+
+
+def _absolute(path: str | Path) -> Path:
+    return Path(os.path.normpath(Path(path).absolute()))  # a link stays one
+
+
+def _unnamed(opened: set[Path], file: Path, named: set[str]) -> list[str]:
+    """Which of the files opened belong to the controllers, and are neither their own file nor named by them.
+
+    They lie in its folder or below, but in no hidden folder and in no library.
+    """
+    folder = _absolute(file).parent
+    own = {_absolute(folder / name) for name in (file.name, *named)}
+    libraries = [Path(each) for each in (sys.prefix, sys.base_prefix, Path(__file__).parent)]
+    libraries = [each for each in libraries if each.is_relative_to(folder)]
+    unnamed = [
+        path.relative_to(folder)
+        for path in opened - own
+        if path.is_relative_to(folder) and path.is_file() and not any(map(path.is_relative_to, libraries))
+    ]
+    return sorted(path.as_posix() for path in unnamed if not any(part.startswith(".") for part in path.parts))
 
 
 def _bound_memory() -> None:
@@ -87,8 +117,8 @@ def _bound_memory() -> None:
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, resource.getrlimit(resource.RLIMIT_AS)[1]))
 
 
-def _check(controller: type[Controller], file: Path, beside: set[str]) -> Check:
-    """Check it, and draw its forces beside the file where nothing is wrong."""
+def _check(controller: type[Controller], file: Path, opened: set[Path]) -> Check:
+    """Check it with what is opened meanwhile, and draw its forces beside the file where nothing is wrong."""
     faults, picture = check_controller(controller), None
     if not faults:
         try:
@@ -99,9 +129,9 @@ def _check(controller: type[Controller], file: Path, beside: set[str]) -> Check:
                     "A run depends on the car of an earlier one: numbers of it are kept outside the object, such as a "
                     "gain in the class; make them in start"
                 ]
-            elif unnamed := beside - files_of(anew):
+            elif unnamed := _unnamed(opened, file, files_of(anew)):
                 faults = [
-                    f"It reads {', '.join(sorted(unnamed))}, which its files do not name: where that changes, stored "
+                    f"It reads {', '.join(unnamed)}, which its files do not name: where that changes, stored "
                     "results stay as they are"
                 ]
         except (Exception, SystemExit) as error:  # noqa: BLE001 - the paper's road is longer than the check's
