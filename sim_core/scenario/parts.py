@@ -280,6 +280,12 @@ class Scenario(Part):
         return self.mismatch.real(self.vehicle)
 
     @property
+    def is_random(self) -> bool:
+        """Whether a result hinges on luck: on this road's roughness or on the noise, jitter and losses of this seed."""
+        noise = (self.mismatch.preview_noise, self.hil.noise, self.hil.jitter, self.hil.packet_loss)
+        return not self.road.is_smooth or self.estimation.kind != "exact" or any(noise)
+
+    @property
     def braking_start(self) -> float:
         """Where the front axle is when the bump is detected and braking begins [m]."""
         return max(0.0, self.road.bump.start - self.speed.detection_distance)

@@ -104,14 +104,15 @@ def test_changes_refer_to_the_baseline_asked_for(client: httpx.Client, page: Ele
     assert "worse" in change(other, "passive")
 
 
-@pytest.mark.parametrize("smooth", [False, True])
+@pytest.mark.parametrize(("roughness", "preview_noise"), [(None, 0), (0, 0), (0, 1e-4)])
 def test_changes_of_one_road_refer_to_another_run_and_small_ones_are_luck(
-    client: httpx.Client, run: dict[str, Any], smooth: bool
+    client: httpx.Client, run: dict[str, Any], roughness: float | None, preview_noise: float
 ) -> None:
     """A bump higher by 8 %: so do passive peaks grow, more than 7 %; what LV's grow by is within its 15 %."""
     scenario = {**run["scenario"], "road": {**run["scenario"]["road"]}}
-    if smooth:
-        scenario["road"]["roughness"] = 0
+    if roughness is not None:
+        scenario["road"]["roughness"] = roughness
+        scenario["mismatch"] = {**scenario["mismatch"], "preview_noise": preview_noise}
         run = client.post("/api/v1/runs", json={"scenario": scenario, "strategies": ["lv", "passive"]}).json()
     scenario["road"]["bump"] = {**scenario["road"]["bump"], "height": 1.08 * scenario["road"]["bump"]["height"]}
     other = client.post("/api/v1/runs", json={"scenario": scenario, "strategies": ["lv", "passive"]}).json()
@@ -135,7 +136,7 @@ def test_changes_of_one_road_refer_to_another_run_and_small_ones_are_luck(
     assert change["passive"] > 7
     assert abs(change["lv"]) < 15
     assert "worse" in cells["passive"]
-    assert ("worse" in cells["lv"]) is smooth, "without roughness no change is luck"
+    assert ("worse" in cells["lv"]) is (roughness == preview_noise == 0), "without anything random no change is luck"
     assert "better" not in cells["lv"]
 
 

@@ -52,6 +52,19 @@ def test_a_linear_cars_peak_is_proportional_to_the_bump(client: httpx.Client) ->
     assert [each.value for each in solution.tried] == sorted(each.value for each in solution.tried)
 
 
+@pytest.mark.parametrize(
+    "asked",
+    [
+        {"scenario": {"road": SMOOTH["road"], "estimation": {"kind": "kalman"}}, "range": [0.01, 0.2]},
+        {"field": "road.roughness", "range": [0, 2.56e-4]},
+    ],
+)
+def test_noise_and_a_roughness_that_is_tried_are_luck_on_a_smooth_road_too(
+    client: httpx.Client, asked: dict[str, Any]
+) -> None:
+    assert solved(client, **{**HEIGHT, **asked}, limit=6.5).resolution == 7
+
+
 def test_its_run_opens_and_asked_again_all_is_stored(client: httpx.Client, worker_calls: list[tuple[Any, ...]]) -> None:
     body = {**HEIGHT, "range": [0.02, 0.19], "limit": 3}
     first = ask(client, **body).json()

@@ -6,6 +6,7 @@ import pytest
 from pydantic import ValidationError
 
 from sim_core.scenario import Scenario
+from sim_core.scenario.dotted import with_changes
 from sim_core.scenario.presets import PRESETS
 
 
@@ -130,3 +131,20 @@ def test_a_preset_is_what_its_description_says() -> None:
     assert PRESETS["watts_hump"].scenario.speed.detection_distance == 60
     for name in ("watts_hump", "washboard"):
         assert PRESETS[name].scenario.road.roughness == 256e-6, "class C of ISO 8608"
+
+
+@pytest.mark.parametrize(
+    ("path", "value"),
+    [
+        ("road.roughness", 1e-6),
+        ("mismatch.preview_noise", 1e-4),
+        ("estimation.kind", "kalman"),
+        ("hil.noise", 0.001),
+        ("hil.jitter", 0.001),
+        ("hil.packet_loss", 0.01),
+    ],
+)
+def test_a_smooth_road_is_random_with_noise_jitter_or_losses(path: str, value: Any) -> None:
+    smooth = Scenario.model_validate({"road": {"roughness": 0}})
+    assert not smooth.is_random
+    assert Scenario.model_validate(with_changes(smooth.model_dump(mode="json"), {path: value})).is_random

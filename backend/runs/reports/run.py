@@ -40,6 +40,7 @@ from sim_core.catalogue import (
     RUN_FIGURES,
     SIGNALS,
 )
+from sim_core.scenario import Scenario
 
 WHOLE_RUN = (
     *((f"comfort.{key}", quantity) for key, quantity in COMFORT.items()),
@@ -95,7 +96,7 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
         ran=ran,
         changes=answer.get("changes", {}),
         bases=_bases(ran, facts),
-        smooth=all(_is_smooth(each["scenario"]["road"]) for each in (answer, facts.against) if each),
+        random=any(Scenario.model_validate(each["scenario"]).is_random for each in (answer, facts.against) if each),
     )
     values = {
         "run_id": answer["id"],
@@ -166,13 +167,9 @@ def drive(scenario: JsonObject) -> list[str]:
     rough = f"roughness {with_unit(exact(road['roughness']), 'm^3')}, seed {road['seed']}"
     return [
         obstacle,
-        f"measured road {road['profile']}" if road["profile"] else "smooth road" if _is_smooth(road) else rough,
+        f"measured road {road['profile']}" if road["profile"] else rough if road["roughness"] else "smooth road",
         f"{exact(speed['initial_speed_kmh'])} → {with_unit(exact(speed['target_speed_kmh']), 'km/h')}",
     ]
-
-
-def _is_smooth(road: JsonObject) -> bool:
-    return not (road["profile"] or road["roughness"])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -191,13 +188,13 @@ class Numbers:
         ran: By strategy its entry.
         changes: By strategy its paired changes over several roads [%]; empty for a run of one.
         bases: By strategy that is compared what its changes refer to.
-        smooth: The roads are nothing but their bumps: no change is luck.
+        random: A change may be luck.
     """
 
     ran: JsonObject
     changes: JsonObject
     bases: Mapping[str, Base]
-    smooth: bool
+    random: bool
 
     def cell(self, key: str, strategy: str, scale: float | None = None) -> JsonObject:
         """One value, and its change where it is compared.
@@ -215,7 +212,7 @@ class Numbers:
         if key not in NOT_COMPARED and (base := self.bases.get(strategy)):
             paired = self.changes.get(strategy, {})
             change = _change(value, metric.of(base.entry), metric.of({"metrics": paired, **paired}))
-            lucky = not (paired or self.smooth or key == "travel_time")
+            lucky = self.random and not paired and key != "travel_time"
             luck = max(_resolution(name, key) for name in (strategy, base.of)) if lucky else 0.0
         percentage, uncertainty = change or (0.0, 0.0)
         same = abs(percentage) < max(SAME, uncertainty, luck)

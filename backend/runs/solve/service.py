@@ -11,9 +11,9 @@ from backend.roads.service import MeasuredRoads
 from backend.runs.service import Runs
 from backend.runs.solve.limit_search import MAX_VALUES, next_indices
 from backend.runs.solve.models import Solution, SolveRequest
-from backend.runs.solve.solution import Tried, bounds_of, of_metric, of_requirements, solution
-from backend.scenario_at import contradiction, scenario_at
-from sim_core import RidelabError, Scenario
+from backend.runs.solve.solution import Tried, bounds_of, of_metric, of_requirements, scenario_of, solution
+from backend.scenario_at import contradiction
+from sim_core import RidelabError
 
 LENGTH = "road.length"
 
@@ -50,7 +50,7 @@ class Solver:
 
     async def _drive(self, request: SolveRequest, index: int, client: str) -> Tried:
         try:
-            scenario = _scenario(request, index)
+            scenario = scenario_of(request, index)
         except ValidationError as error:
             return Tried(reason=contradiction(error))
         try:
@@ -68,16 +68,12 @@ class Solver:
         )
 
 
-def _scenario(request: SolveRequest, index: int) -> Scenario:
-    return scenario_at(request.scenario.model_dump(mode="json"), {request.field: request.value(index)})
-
-
 def _max_cost(request: SolveRequest) -> float:
     """What trying as many values as may be would cost [s of one core]: all like the costliest of the scan."""
     costs = [0.0]
     for index in request.axis.scan:
         try:
-            costs.append(cost_of(_scenario(request, index), request.driven))
+            costs.append(cost_of(scenario_of(request, index), request.driven))
         except (ValidationError, RidelabError):
             continue  # what it is, its run says
     return max(costs) * min(request.axis.last + 1, MAX_VALUES) * request.roads

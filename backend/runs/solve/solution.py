@@ -12,9 +12,10 @@ from backend.requirements import RequirementResult, judged, used
 from backend.runs.over_roads import Interval
 from backend.runs.solve import limit_search
 from backend.runs.solve.models import Solution, SolveRequest, TriedValue
+from backend.scenario_at import scenario_at
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import METRICS, RMS
-from sim_core.scenario import dotted
+from sim_core.scenario import Scenario, dotted
 from sim_core.strategies import reads, strategy_named
 
 RESOLUTION = 0.005  # of a metric: peaks are exact to half a percent (docs/explanation/metrics.md)
@@ -88,7 +89,7 @@ def solution(request: SolveRequest, tried: Mapping[int, Tried]) -> Solution:
     if low is None:
         raise _refusal(request, tried)
     best = tried[low]
-    resolution = _resolution(request, best)
+    resolution = _resolution(request, low, best)
     alike: tuple[float, float] = (low, low)
     if resolution is not None and high > low:
         alike = limit_search.alike(request.bound, bounds, low, resolution / 100)
@@ -141,7 +142,16 @@ def _kept(results: Sequence[RequirementResult]) -> str:
     return ", ".join(f"{each.metric} does not pass" for each in results if each.result != "pass")
 
 
-def _resolution(request: SolveRequest, best: Tried) -> float | None:
+def scenario_of(request: SolveRequest, index: int) -> Scenario:
+    """The scenario with that value of the field.
+
+    Raises:
+        ValidationError: It contradicts itself.
+    """
+    return scenario_at(request.scenario.model_dump(mode="json"), {request.field: request.value(index)})
+
+
+def _resolution(request: SolveRequest, index: int, best: Tried) -> float | None:
     """The smallest change of the metric there [%] that is more than luck; None where none is known."""
     if best.interval is not None:
         half = best.interval.high - best.interval.mean
@@ -149,7 +159,7 @@ def _resolution(request: SolveRequest, best: Tried) -> float | None:
     if request.metric is None:
         return None  # each of its requirements has another
     path = METRICS[request.metric].path
-    if request.scenario.road.is_smooth or path[0] not in ("metrics", "comfort"):
+    if not scenario_of(request, index).is_random or path[0] not in ("metrics", "comfort"):
         return None
     resolution = one_road_resolution(request.strategy)
     return resolution.get(path[-1], resolution[RMS])

@@ -22,7 +22,7 @@ import { getAt } from "../../scenario/path";
 import { whyNotCompared } from "../../lab/compare";
 import { DataTable } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
-import { entryGroups, isSmooth, lowestOf, VIEWS, type WindowView } from "./entries";
+import { entryGroups, isRandom, lowestOf, VIEWS, type WindowView } from "./entries";
 import { useLabels } from "../../server/labels";
 
 /** Windows too narrow, beside the form, for both halves of the comparison side by side. */
@@ -89,7 +89,7 @@ export function Tables({ resultView }: { readonly resultView: ResultView }) {
 function textOf({ shown, reference }: ResultView): string {
   const { over, scenario } = shown;
   const isMeasured = typeof getAt(scenario, "/road/profile") === "string"; // then there is no other road like it
-  if (over === null && isSmooth(scenario)) return "A change without an arrow is zero.";
+  if (over === null && !isRandom(scenario)) return "A change without an arrow is zero.";
   if (over === null)
     return `One road: a change without an arrow is zero or within one road’s luck${isMeasured ? "" : "; choose several roads"}.`;
   const isPaired = reference === null || whyNotCompared(shown, reference.shown) === null;

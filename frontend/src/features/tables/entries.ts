@@ -1,10 +1,20 @@
 /** The table's entries: each strategy that is on in the shown result, then in each pinned variant. */
 
-import type { Catalogue, Scenario, Strategy, Summary, Interval, OverRoads, StrategyId } from "../../api/types";
+import type {
+  Catalogue,
+  JsonValue,
+  Scenario,
+  Strategy,
+  Summary,
+  Interval,
+  OverRoads,
+  StrategyId,
+} from "../../api/types";
 import { whyNotCompared } from "../../lab/compare";
 import type { ResultView } from "../../lab/resultView";
 import type { Result } from "../../lab/result";
 import { valueAt, type MetricPath, type WindowMetric } from "../../lab/metricPath";
+import { pointerOf } from "../../scenario/fields";
 import { getAt } from "../../scenario/path";
 import { changeAgainst, pairedChange, type Change } from "./change";
 
@@ -107,7 +117,7 @@ export function changeBetween(
   }
   return changeAgainst(valueAt(summary, metric), valueAt(base.summary, metric), {
     scale,
-    oneRoadNoise: oneRoadNoiseOf(base.pair, metric, [shown.scenario, base.scenario]),
+    oneRoadNoise: oneRoadNoiseOf(base.pair, metric, isRandom(shown.scenario) || isRandom(base.scenario)),
   });
 }
 
@@ -151,20 +161,33 @@ function pairedAt(
   return own?.[metric.window][metric.signal]?.[metric.statistic];
 }
 
-/** Smaller changes [%] between these strategies may be one road's luck; times, speeds and smooth roads have none. */
+/** Smaller changes [%] between these strategies may be one road's luck; times, speeds and what is not random have none. */
 export function oneRoadNoiseOf(
   strategies: readonly Pick<Strategy, "one_road_resolution">[],
   metric: MetricPath,
-  scenarios: readonly Scenario[],
+  random: boolean,
 ): number {
-  if ("run" in metric || scenarios.every(isSmooth)) return 0;
+  if ("run" in metric || !random) return 0;
   const statistic = "comfort" in metric ? "rms" : metric.statistic;
   return Math.max(...strategies.map((strategy) => strategy.one_road_resolution[statistic] ?? 0));
 }
 
-/** Its road is nothing but the bumps. */
-export const isSmooth = (scenario: Scenario): boolean =>
-  getAt(scenario, "/road/roughness") === 0 && getAt(scenario, "/road/profile") === null;
+/** By dotted name the values without which a result hinges on luck, as `Scenario.is_random` of the core has it. */
+const NOT_RANDOM: Readonly<Record<string, JsonValue>> = {
+  "road.roughness": 0,
+  "road.profile": null,
+  "mismatch.preview_noise": 0,
+  "estimation.kind": "exact",
+  "hil.noise": 0,
+  "hil.jitter": 0,
+  "hil.packet_loss": 0,
+};
+
+/** Whether another seed gives other results, whatever the varied fields are. */
+export const isRandom = (scenario: Scenario, varied: readonly string[] = []): boolean =>
+  Object.entries(NOT_RANDOM).some(
+    ([name, value]) => varied.includes(name) || getAt(scenario, pointerOf(name)) !== value,
+  );
 
 export interface WindowView {
   readonly window: "rough_road" | "bump";

@@ -14,7 +14,7 @@ import { CaveatMark } from "../tables/ChangeMark";
 import { caveatsOf } from "../tables/caveats";
 import { formatFixed } from "../../units/format";
 import { formatPercent, type Change, type Verdict } from "../tables/change";
-import { changeBetween, comparedMetrics, oneRoadNoiseOf } from "../tables/entries";
+import { changeBetween, comparedMetrics, isRandom, oneRoadNoiseOf } from "../tables/entries";
 import { valueAt, type WindowMetric } from "../../lab/metricPath";
 
 /** What a result's roads say against one of its strategies or another run; undefined until they do, and of one road. */
@@ -218,7 +218,7 @@ export function sentenceOf(
   ].filter(Boolean);
   const name = catalogue.signals.find(({ key }) => key === metric.signal)?.label.toLowerCase() ?? metric.signal;
   const figure = metric.window === "bump" ? `Peak ${name} on the bump` : `RMS ${name} on the rough road`;
-  const size = changeText(change, compared, oneRoadNoiseOf([leader, rival], metric, [compared.shown.scenario]));
+  const size = changeText(change, compared, oneRoadNoiseOf([leader, rival], metric, isRandom(compared.shown.scenario)));
   const listed = remainder.map((part) => `, ${part}`).join("");
   const who = best > 0 ? "" : `${leader.label} `;
   return {

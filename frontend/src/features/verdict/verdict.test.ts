@@ -1,6 +1,8 @@
 import { expect, it, describe } from "vitest";
-import type { Catalogue, Interval, OverRoads, Strategy, Summary } from "../../api/types";
+import type { Catalogue, Interval, OverRoads, Scenario, Strategy, Summary } from "../../api/types";
 import type { Result } from "../../lab/result";
+import { withFields } from "../../scenario/fields";
+import { isRandom } from "../tables/entries";
 import { changedMost, editChanges } from "./ChangeChips";
 import { leaderOf, rivalOf, scoreOf, sentenceOf, speedsOf, type PairedAgainst } from "./VerdictLine";
 
@@ -33,6 +35,14 @@ const ONE_ROAD = compared({
   lqr: summary([2, 1.02, 2, 1], 22.5),
   passive: summary([3, 3, 6, 8], 50),
 });
+
+/** Nothing is random. */
+const SMOOTH: Scenario = {
+  road: { roughness: 0, profile: null },
+  mismatch: { preview_noise: 0 },
+  estimation: { kind: "exact" },
+  hil: { noise: 0, jitter: 0, packet_loss: 0 },
+};
 
 const sentence = (of: typeof ONE_ROAD, paired: PairedAgainst = {}) => {
   const leader = leaderOf(of, CATALOGUE);
@@ -74,11 +84,28 @@ describe("the verdict on one road", () => {
 
   it("knows no luck on a smooth road", () => {
     const { shown, ...rest } = ONE_ROAD;
-    const smooth = { ...rest, shown: { ...shown, scenario: { road: { roughness: 0, profile: null } } } };
+    const smooth = { ...rest, shown: { ...shown, scenario: SMOOTH } };
     expect(sentence(smooth)).toBe(
       "LV is best in 3 of 4 metrics, behind in 1. Peak body acceleration on the bump −83.3\u2009% against Passive, " +
         "at 22.5 instead of 50.0 km/h.",
     );
+  });
+
+  it.each([
+    ["road.roughness", 1e-6],
+    ["road.profile", "a road"],
+    ["mismatch.preview_noise", 1e-4],
+    ["estimation.kind", "kalman"],
+    ["hil.noise", 0.001],
+    ["hil.jitter", 0.001],
+    ["hil.packet_loss", 0.01],
+  ])("knows luck on a road with %s", (name, value) => {
+    const { shown, ...rest } = ONE_ROAD;
+    expect(sentence({ ...rest, shown: { ...shown, scenario: withFields(SMOOTH, { [name]: value }) } })).toBe(
+      sentence(ONE_ROAD),
+    );
+    expect(isRandom(SMOOTH)).toBe(false);
+    expect(isRandom(SMOOTH, ["road.bump.height", name])).toBe(true);
   });
 
   it("is of what this road has, and says nothing of a single strategy", () => {

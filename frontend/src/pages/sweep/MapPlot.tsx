@@ -7,7 +7,7 @@ import { ChartButton } from "../../plots/FigureButton";
 import { ON_PAPER, PALETTES, chartLayout, type Palette } from "../../plots/palettes";
 import { count, formatExact, formatResult, titleWithUnit } from "../../units/format";
 import { fullName } from "../../server/metrics";
-import { oneRoadNoiseOf } from "../../features/tables/entries";
+import { isRandom, oneRoadNoiseOf } from "../../features/tables/entries";
 import { metricPath } from "../../lab/metricPath";
 import { fieldTexts } from "./describeRow";
 import { coarse, failing, firstOf, hatched, mapGrid, shareBelow, unsettled, type MapGrid, type AxisValue } from "./map";
@@ -26,9 +26,8 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
   const labelOf = (id: string | null) => strategies.find((each) => each.id === id)?.label ?? "";
   const otherLabel = labelOf(against);
   const pair = strategies.filter(({ id }) => id === strategy || id === against);
-  const isRoughnessSwept = batch.fields.some(({ name }) => ["road.roughness", "road.profile"].includes(name));
-  const noise =
-    against === null ? 0 : oneRoadNoiseOf(pair, metricPath(y.key), isRoughnessSwept ? [{}] : [batch.scenario]);
+  const varied = batch.fields.map(({ name }) => name);
+  const noise = against === null ? 0 : oneRoadNoiseOf(pair, metricPath(y.key), isRandom(batch.scenario, varied));
   const grid = useMemo(
     () => other && mapGrid(columns, { x: x.name, y: other.name, metric: y.key, scale: y.scale, strategy, against }),
     [columns, x, other, y, strategy, against],
