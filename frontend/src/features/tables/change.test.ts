@@ -29,6 +29,7 @@ describe("change against the baseline", () => {
 
   it("does not exist against nothing or zero", () => {
     expect(changeAgainst(5, 0)).toEqual({ percent: null, half: 0, verdict: "none" });
+    expect(changeAgainst(0, 0)).toEqual({ percent: null, half: 0, verdict: "same" });
     expect(changeAgainst(null, 5).percent).toBeNull();
     expect(changeAgainst(5, undefined).percent).toBeNull();
   });

@@ -33,8 +33,10 @@ export function changeAgainst(
   baseline: number | null | undefined,
   { scale = 1, oneRoadNoise = 0 }: OnOneRoad = {},
 ): Change {
-  if (typeof value !== "number" || typeof baseline !== "number" || isNothing(baseline))
-    return { percent: null, half: 0, verdict: "none" };
+  if (typeof value !== "number" || typeof baseline !== "number" || isNothing(baseline)) {
+    const isBothNothing = typeof value === "number" && typeof baseline === "number" && isNothing(value);
+    return { percent: null, half: 0, verdict: isBothNothing ? "same" : "none" };
+  }
   const percent = ((value - baseline) / Math.abs(baseline)) * 100;
   const change = (verdict: Verdict): Change => ({ percent, half: 0, verdict });
   if (Math.abs(percent) < NOTHING) return { ...change("same"), percent: 0 };

@@ -139,7 +139,7 @@ function between(
 interface Score {
   readonly best: number;
   readonly behind: number;
-  /** On one road: in how many all have the same digits. */
+  /** On one road: in how many it is level with at least one other, and better than the rest. */
   readonly equal: number;
   readonly of: number;
 }
@@ -155,7 +155,9 @@ export function scoreOf(compared: Compared, catalogue: Signals, leader: Strategy
   return {
     best: count((each) => each.every((verdict) => verdict === "worse")),
     behind: count((each) => each.includes("better")),
-    equal: compared.shown.over ? 0 : count((each) => each.every((verdict) => verdict === "same")),
+    equal: compared.shown.over
+      ? 0
+      : count((each) => each.includes("same") && each.every((verdict) => verdict === "same" || verdict === "worse")),
     of: verdicts.length,
   };
 }
@@ -186,7 +188,8 @@ function speedText(compared: Compared, leader: Strategy, rival: Strategy): strin
 /** The change, and how sure it is; one that may be luck is none. */
 function changeText({ percent, half, verdict }: Change, { shown: { over } }: Compared, oneRoadNoise: number): string {
   if (verdict === "same" && !over) return "no different";
-  if (percent === null || verdict === "luck" || verdict === "same") return "no different beyond luck";
+  if (percent === null) return "not to be compared in percent";
+  if (verdict === "luck" || verdict === "same") return "no different beyond luck";
   return `${formatPercent(percent, half)}${over || oneRoadNoise === 0 ? "" : ` (luck ±\u2009${oneRoadNoise.toFixed(0)}\u2009%)`}`;
 }
 
@@ -209,7 +212,8 @@ export function sentenceOf(
   const change = between(compared, [leader, rival], metric, paired);
   if (score === null || change === null) return null;
   const { best, behind, equal, of } = score;
-  const luck = of - best - behind - equal;
+  const noise = oneRoadNoiseOf([leader, rival], metric, isRandom(compared.shown.scenario));
+  const luck = compared.shown.over || noise > 0 ? of - best - behind - equal : 0;
   const lead = best > 0 ? `${leader.label} is best in ${best} of ${of} metrics` : `No clear winner in ${of} metrics`;
   const remainder = [
     behind > 0 && `behind in ${behind}`,
@@ -218,7 +222,7 @@ export function sentenceOf(
   ].filter(Boolean);
   const name = catalogue.signals.find(({ key }) => key === metric.signal)?.label.toLowerCase() ?? metric.signal;
   const figure = metric.window === "bump" ? `Peak ${name} on the bump` : `RMS ${name} on the rough road`;
-  const size = changeText(change, compared, oneRoadNoiseOf([leader, rival], metric, isRandom(compared.shown.scenario)));
+  const size = changeText(change, compared, noise);
   const listed = remainder.map((part) => `, ${part}`).join("");
   const who = best > 0 ? "" : `${leader.label} `;
   return {

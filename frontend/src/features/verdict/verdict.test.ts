@@ -82,6 +82,28 @@ describe("the verdict on one road", () => {
     );
   });
 
+  it("is equal where the leader equals one and betters another", () => {
+    const level = {
+      lv: summary([0, 0, 2, 1], 20),
+      lqr: summary([0, 0.5, 2, 2], 20),
+      passive: summary([0, 0, 3, 2], 20),
+    };
+    const of = compared(level);
+    const smooth = { ...of, shown: { ...of.shown, scenario: SMOOTH } };
+    expect(scoreOf(smooth, CATALOGUE, LV, {})).toEqual({ best: 1, behind: 0, equal: 2, of: 4 });
+    expect(sentence(smooth)).toBe(
+      "LV is best in 1 of 4 metrics, equal in 2. Peak body acceleration on the bump −33.3 % against Passive, " +
+        "all at 20.0 km/h.",
+    );
+  });
+
+  it("says neither luck nor percent of what is not to be compared", () => {
+    const of = compared({ lv: summary([1, 1, 1, 1], 20), lqr: summary([0, 2, 0, 2], 20) });
+    const smooth = { ...of, shown: { ...of.shown, scenario: SMOOTH } };
+    expect(sentence(smooth)).toContain("Peak body acceleration on the bump not to be compared in percent against LQR");
+    expect(sentence(smooth)).not.toContain("luck");
+  });
+
   it("knows no luck on a smooth road", () => {
     const { shown, ...rest } = ONE_ROAD;
     const smooth = { ...rest, shown: { ...shown, scenario: SMOOTH } };
