@@ -30,8 +30,8 @@ import { extent, valueAt } from "../lib/samples";
 export function useShownCurves(resultView: ResultView): CurvesSource {
   const { lab } = useLabContext();
   const { roads, ...pair } = useCurves(resultView);
-  const own = useDetail(pair.own);
-  const other = useDetail(pair.other);
+  const { series: own, waiting } = useDetail(pair.own);
+  const { series: other, waiting: otherWaits } = useDetail(pair.other);
   const layered = useLayered(resultView);
   const { shown, differences, ids } = resultView;
   const standsOut = useIsolated();
@@ -46,8 +46,13 @@ export function useShownCurves(resultView: ResultView): CurvesSource {
     [layers, isolated, minus],
   );
   const still = useMemo(
-    () => ({ ...curvesOf(resultView, own, other), ...beside, ...(roads !== undefined && { roads }) }),
-    [resultView, own, other, beside, roads],
+    () => ({
+      ...curvesOf(resultView, own, other),
+      ...beside,
+      ...(roads !== undefined && { roads }),
+      waiting: waiting || otherWaits,
+    }),
+    [resultView, own, other, beside, roads, waiting, otherWaits],
   );
   const [source] = useState(() => createAtom<Curves>(still, { compare: sameCurves }));
   useLayoutEffect(() => {

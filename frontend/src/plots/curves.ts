@@ -83,6 +83,8 @@ export interface Curves {
   readonly roads?: number;
   /** What the curves are differences to. */
   readonly minus?: string;
+  /** Finer samples of them are on their way. */
+  readonly waiting?: boolean;
 }
 
 /** Curves that change without anything being rendered anew. */
@@ -90,6 +92,25 @@ export type CurvesSource = Pick<ReadonlyAtom<Curves>, "get" | "subscribe">;
 
 /** Those of the lab's panels, while there are any. */
 export const shownCurves = createAtom<CurvesSource | null>(null);
+
+/**
+ * What the lab's panels draw, once they wait for nothing.
+ *
+ * @throws There are no panels, or they go away before.
+ */
+export const settledCurves = (): Promise<Curves> =>
+  new Promise((resolve, reject) => {
+    const source = shownCurves.get();
+    const following = [shownCurves.subscribe(settle), source?.subscribe(settle)];
+    function settle() {
+      const isGone = source === null || shownCurves.get() !== source;
+      if (!isGone && source.get().waiting) return;
+      for (const each of following) each?.unsubscribe();
+      if (isGone) reject(new Error("No plots are shown."));
+      else resolve(source.get());
+    }
+    settle();
+  });
 
 type DrawnParts = Pick<Curves, "strategies" | "range" | "layers">;
 

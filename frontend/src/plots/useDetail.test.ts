@@ -2,12 +2,14 @@
 import { QueryClient, QueryClientProvider } from "@tanstack/react-query";
 import { renderHook } from "@testing-library/react";
 import { createElement, type PropsWithChildren } from "react";
+import { createAtom } from "@tanstack/react-store";
 import { expect, it, vi } from "vitest";
 import type { FigureTemplate, OverRoads } from "../api/types";
 import { figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../server/queries";
 import type { ResultView } from "../lab/resultView";
 import type { Result } from "../lab/result";
-import { useCurves, useLayered } from "./useDetail";
+import { settledCurves, shownCurves, type Curves } from "./curves";
+import { useCurves, useDetail, useLayered } from "./useDetail";
 
 const numbers = (...values: number[]) => new Float32Array(values);
 const panel = (signal: string) => ({ layout: { meta: { signal } } }) as unknown as FigureTemplate;
@@ -64,4 +66,29 @@ it("differences are those of the means where both have them over as many roads, 
     firstRoad,
     firstRoad,
   ]);
+});
+
+it("waits for finer samples where the range shown has few", () => {
+  const waits = (runId: string | null) => {
+    const series = { lv: { position: numbers(1, 2) } };
+    const drawn = { shown: { ...result("one", 1), runId }, ids: ["lv"], series, axis: "distance", range: [1, 2] };
+    return used(
+      () => useDetail({ ...drawn, differences: false } as unknown as Parameters<typeof useDetail>[0]).waiting,
+    );
+  };
+  expect([waits("one"), waits(null)]).toEqual([true, false]);
+});
+
+it("a picture is of what the panels draw once nothing is on its way, and of nothing where there are none", async () => {
+  await expect(settledCurves()).rejects.toThrow("No plots are shown.");
+  const source = createAtom({ runId: "old", waiting: true } as Curves);
+  shownCurves.set(source);
+  const curves = settledCurves();
+  source.set({ runId: "between", waiting: true } as Curves);
+  source.set({ runId: "new", waiting: false } as Curves);
+  expect(await curves).toMatchObject({ runId: "new" });
+  source.set({ runId: "newer", waiting: true } as Curves);
+  const unseen = settledCurves();
+  shownCurves.set(null);
+  await expect(unseen).rejects.toThrow("No plots are shown.");
 });

@@ -55,7 +55,13 @@ function useMeans(shown: Result, figures: Figures): SeriesByStrategy | undefined
 
 const NOTHING: SeriesByStrategy = {};
 
-export function useDetail(drawn: Drawn): SeriesByStrategy {
+interface Detail {
+  readonly series: SeriesByStrategy;
+  /** Finer samples are on their way. */
+  readonly waiting: boolean;
+}
+
+export function useDetail(drawn: Drawn): Detail {
   const figures = useFigures();
   const { shown, differences } = drawn;
   const means = useMeans(shown, figures);
@@ -64,8 +70,9 @@ export function useDetail(drawn: Drawn): SeriesByStrategy {
   const series = means ?? drawn.series;
   const needed = !differences && needsDetail({ ...drawn, series });
   const detail = useQuery({ ...detailQuery(shown, means ? signalsOf(figures) : null), enabled: needed });
-  if (differences && isStored) return all.data ?? NOTHING;
-  return needed && detail.data ? detail.data : series;
+  const waiting = all.isLoading || detail.isLoading;
+  if (differences && isStored) return { series: all.data ?? NOTHING, waiting };
+  return { series: needed && detail.data ? detail.data : series, waiting };
 }
 
 /** What else is drawn beside means is means too; beside one road's curves it is one road's. */

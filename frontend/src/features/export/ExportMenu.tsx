@@ -18,7 +18,7 @@ import { ControllerFault, useController } from "./useController";
 import { asCommand, asCurl, asPython, type CopyRequest } from "./copyAs";
 import classes from "./export.module.css";
 import { plotsImage } from "./image";
-import { shownCurves } from "../../plots/curves";
+import { settledCurves } from "../../plots/curves";
 import { useCopied } from "../../ui/useCopied";
 import { compact } from "../../ui/compact";
 import { download } from "../../lib/download";
@@ -45,8 +45,8 @@ export function ExportMenu() {
 
   const picture = useMutation({
     mutationFn: async (format: "png" | "svg") => {
-      const curves = shownCurves.get()?.get();
-      if (curves) download(await plotsImage(figures, curves, format), `ridelab-${runId ?? "live"}.${format}`);
+      const curves = await settledCurves();
+      download(await plotsImage(figures, curves, format), `ridelab-${curves.runId ?? "live"}.${format}`);
     },
   });
   const saveReport = () => {
