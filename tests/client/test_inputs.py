@@ -356,7 +356,19 @@ def test_a_narrow_terminal_breaks_no_figure_and_no_name(
     monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
     metrics = [f"rough_road.{signal}_acceleration.rms [m/s^2]" for signal in ("body", "pitch", "yaw")]
     show_table(["field", *metrics, "range"], [["road.bump.height", *["0.1458 (-64.0 %)"] * 3, ["cosine", "half_sine"]]])
+    signals = ("Body acceleration [m/s^2]", "Pitch acceleration [rad/s^2]", "Front tyre dynamic load [N]")
+    show_table(
+        ["RMS on the rough road", *signals, "shown"],
+        [["LV as ECU code", *["0.16 ± 0.004 (+0.6 ± 0.1 %)"] * 3, ADDRESS]],
+    )
     printed = capsys.readouterr().out
     assert max(map(len, printed.splitlines())) <= 80
     words = ["road.bump.height", "0.1458", "(-64.0 %)", "acceleration.", "cosine,", "half_sine"]
+    words += ["0.16 ± 0.004", "(+0.6 ± 0.1 %)", "LV as ECU code", ADDRESS]
     assert [word for word in words if word not in printed] == []
+    show_table(["name", *metrics, *metrics], [[23 * "name", *["0.16 ± 0.004 (+0.6 ± 0.1 %)"] * 6]])
+    printed = capsys.readouterr().out
+    assert (23 * "name" in printed, printed.count("0.16 ± 0.004"), printed.count("(+0.6 ± 0.1 %)")) == (True, 6, 6)
+
+
+ADDRESS = "http://r/?a,b"

@@ -1,4 +1,4 @@
-"""What a command says, to whom, and with which exit code it ends.
+"""What a command says, to whom, and with which exit code it ends: notes, JSON, tables, and the files that it writes.
 
 Whatever a command calls may raise `InputError` and `UnavailableError` besides the client's own errors.
 """
@@ -15,6 +15,7 @@ from threading import Timer
 from typing import Any
 
 import typer
+from rich.cells import cell_len
 from rich.console import Console
 from rich.measure import Measurement
 from rich.table import Table
@@ -183,6 +184,8 @@ def deliver(content: Iterable[bytes], out: str, *, as_json: bool = False, **abou
 
 
 _UNLIMITED = 1000  # columns of a file or a pipe
+_GAP = 2  # columns between two of a table's
+_WORD = 16  # columns within which a longer word is broken, where there is no room
 _IN_NAME = re.compile(r"([._])(?=[a-z])")
 _FIGURE = re.compile(r"|-|none| *[-+(]?[\d.].*|- : .*|\(misprint .*|[-+]?inf", re.DOTALL)
 
@@ -190,7 +193,8 @@ _FIGURE = re.compile(r"|-|none| *[-+(]?[\d.].*|- : .*|\(misprint .*|[-+]?inf", r
 def show_table(heads: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
     """Print a table: columns of figures end at their right edge, those of words begin at their left.
 
-    Where it is wider than the terminal, a change stands below its value, and names in heads break between their words.
+    Where it is wider than the terminal, a change stands below its value, and names in heads break between their words;
+    where that is not enough, the table is wider than the terminal.
     """
     looked_at = sys.stdout.isatty()
     console = Console(width=None if looked_at else _UNLIMITED, markup=False, highlight=False, emoji=False)
@@ -198,25 +202,42 @@ def show_table(heads: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
     table = _table(heads, texts)
     if Measurement.get(console, console.options.update(max_width=_UNLIMITED), table).maximum > console.width:
         broken = [_IN_NAME.sub(r"\1\n", head) for head in heads]
-        table = _table(broken, [[_narrow(cell) for cell in row] for row in texts])
+        table = _table(broken, [[_narrow(cell) for cell in row] for row in texts], narrow=True)
+        least = sum((column.min_width or 0) + _GAP for column in table.columns) - _GAP
+        if least > console.width:
+            console.size = (_UNLIMITED, console.height)  # the terminal breaks its lines
     with console.capture() as printed:
         console.print(table)
     typer.echo("\n".join(line.rstrip() for line in printed.get().splitlines()))
 
 
-def _table(heads: Sequence[str], texts: Sequence[Sequence[str]]) -> Table:
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="bold")
+def _table(heads: Sequence[str], texts: Sequence[Sequence[str]], *, narrow: bool = False) -> Table:
+    table = Table(box=None, pad_edge=False, padding=(0, _GAP, 0, 0), header_style="bold")
     for column, head in enumerate(heads):
-        figures = all(_FIGURE.fullmatch(row[column]) for row in texts)
-        names = column == 0 and not any(" " in row[0] for row in texts)  # they are copied: whole ones
-        table.add_column(head, justify="right" if figures else "left", overflow="fold", no_wrap=names)
+        cells = [row[column] for row in texts]
+        figures = all(map(_FIGURE.fullmatch, cells))
+        separator = ", " if figures else " "  # figures that are a list break, and words; names in front are copied
+        whole = (figures or column == 0) and not any(separator in cell for cell in cells)
+        if narrow and whole:
+            head = head.replace(" ", "\n")
+        pieces = [piece for text in (head, *cells) for piece in (text.splitlines() if whole else text.split())]
+        least = max(map(cell_len, pieces), default=1)
+        table.add_column(
+            head,
+            justify="right" if figures else "left",
+            overflow="fold",
+            no_wrap=whole,
+            min_width=least if whole else min(least, _WORD),
+        )
     for row in texts:
         table.add_row(*row)
     return table
 
 
 def _narrow(text: str) -> str:
-    return text.replace(" (", "\n(") if _FIGURE.fullmatch(text) else re.sub(r",(?=\w)", ", ", text)
+    if _FIGURE.fullmatch(text):
+        return text.replace(" (", "\n(")
+    return text if "://" in text else re.sub(r",(?=\w)", ", ", text)
 
 
 def with_unit(name: str, unit: str) -> str:
