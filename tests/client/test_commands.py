@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import re
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -231,12 +232,16 @@ def test_what_a_tuning_is_asked_for(cli: Cli, prepared: Prepared) -> None:
     }
 
 
-def test_a_tuning_that_is_done_is_shown_again_or_goes_on(cli: Cli, prepared: Prepared) -> None:
+def test_a_tuning_that_is_done_is_shown_again_or_goes_on(
+    cli: Cli, prepared: Prepared, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
     best = {"number": 3, "weights": {"lqr.weights": [2, 1, 1]}}
     tuning = prepared.job("tuning", best=[best], knee=None, scenario=SHORT)
     job: Any = prepared.answers[f"GET /tunings/{tuning}"]
     prepared.answers[f"POST /tunings/{tuning}/resume"] = job
     assert json.loads(cli("tune", "--resume", tuning, "--json", "--out", "tuned.json")) == job
+    assert f"tuned.json: {Path('tuned.json').stat().st_size:,} bytes" in cli.error
     assert json.loads(Path("tuned.json").read_text()) == {**SHORT, "lqr": {"weights": [2, 1, 1]}}
     assert not prepared.bodies(f"POST /tunings/{tuning}/resume"), "nothing is computed"
     cli("tune", "--resume", tuning, "--json", "--trials", "12")

@@ -1,6 +1,7 @@
 """`--require`: what is sent for what is typed, the exit codes, and the file for a CI system."""
 
 import json
+import sys
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -62,8 +63,9 @@ def test_what_is_none_is_said(cli: Cli, prepared: Prepared, text: str, message: 
 
 
 def test_the_exit_code_is_1_where_one_fails_and_uncertain_fails_with_strict(
-    cli: Cli, outcomes: dict[str, dict[str, Any]], tmp_path: Path
+    cli: Cli, outcomes: dict[str, dict[str, Any]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
     peak = outcomes["lv"]["metrics"]["bump"]["body_acceleration"]["peak"]
     run = ("run", "-s", "lv,passive", "--require")
     assert "pass" in cli(*run, f"{PEAK}<{1.01 * peak}")
@@ -72,6 +74,7 @@ def test_the_exit_code_is_1_where_one_fails_and_uncertain_fails_with_strict(
     several = (*run, f"{PEAK}<{1.05 * peak}", "--require", "travel_time>0", "--roads", "2")
     for options, code, of_uncertain in (((), 0, "skipped"), (("--strict",), 1, "failure")):
         assert "uncertain" in cli(*several, "--junit", file, *options, code=code)
+        assert f"{file}: {file.stat().st_size:,} bytes" in cli.error
         suite = ElementTree.parse(file).getroot()  # noqa: S314  # written here
         assert (suite.get("tests"), suite.get("failures")) == ("2", str(code))
         uncertain, passed = suite.iter("testcase")

@@ -169,18 +169,24 @@ def output_format(out: str, file_format: str | None, *, as_json: bool = False) -
 
 
 def deliver(content: Iterable[bytes], out: str, *, as_json: bool = False, **about: Any) -> None:
-    """Write the pieces there, `-` is standard output; a file is whole or not touched.
+    """Write the pieces there, `-` is standard output; for machines say its name, size [bytes] and the rest of `about`.
 
-    Its name and size [bytes] are said then in a terminal; for machines with the rest of `about`, see `check_out`.
+    See `check_out`.
     """
     if out == "-":
         sys.stdout.buffer.writelines(content)
         return
-    size = save(content, out).stat().st_size
+    size = write(content, out)
     if as_json:
         print_json({"file": out, "size": size, **about})
-    elif sys.stderr.isatty():
-        note(f"{out}: {size:,} bytes")
+
+
+def write(content: Iterable[bytes], file: str | Path) -> int:
+    """Write the pieces there, all or none; its size [bytes], which is said in a terminal."""
+    size = save(content, file).stat().st_size
+    if sys.stderr.isatty():
+        note(f"{file}: {size:,} bytes")
+    return size
 
 
 _UNLIMITED = 1000  # columns of a file or a pipe

@@ -10,10 +10,9 @@ from xml.etree import ElementTree
 
 from ridelab.cli import options
 from ridelab.cli.fields import read
-from ridelab.cli.reporting import InputError, folder_of, show_table
+from ridelab.cli.reporting import InputError, folder_of, show_table, write
 from ridelab.cli.service import Services
 from ridelab.cli.targets import document
-from ridelab.files import save
 from ridelab.requirements import FAIL, PASS, UNCERTAIN, FailingRun, Requirement, RequirementResult
 from ridelab.results import RunResult
 from ridelab.units import quantity
@@ -165,7 +164,7 @@ def write_junit(cases: Sequence[Case], path: str, suite: str, *, strict: bool) -
     counts = {"failures": kinds["failure"], "errors": kinds["error"], "skipped": kinds["skipped"]}
     root.attrib.update({"name": suite, "tests": str(len(cases)), **{name: str(each) for name, each in counts.items()}})
     ElementTree.indent(root)
-    save([ElementTree.tostring(root, encoding="utf-8", xml_declaration=True), b"\n"], path)
+    write([ElementTree.tostring(root, encoding="utf-8", xml_declaration=True), b"\n"], path)
 
 
 def judged(

@@ -10,9 +10,8 @@ import typer
 
 from ridelab.cli import fields, following, options
 from ridelab.cli.names import Names
-from ridelab.cli.reporting import DIFFERENT, InputError, note, print_json, show_table, shown, with_unit
+from ridelab.cli.reporting import DIFFERENT, InputError, note, print_json, show_table, shown, with_unit, write
 from ridelab.cli.service import Services
-from ridelab.files import save
 from ridelab.jobs import Tuning
 
 _NORMALISED = re.compile(r"(paper|peaks)(?:@(\w+))?(?::(.*))?")
@@ -103,7 +102,7 @@ def tune(
     best = tuning.knee or tuning.best[0]
     if out is not None and best is not None:
         tuned = fields.with_values(tuning.answer["scenario"], best["weights"])
-        save([json.dumps(tuned, indent=1).encode() + b"\n"], out)
+        write([json.dumps(tuned, indent=1).encode() + b"\n"], out)
         note(f"{out} has the weights of trial {best['number']}")
     following.say_end(tuning)
     raise typer.Exit(DIFFERENT * (best is None))
