@@ -172,7 +172,8 @@ def used(requirement: Requirement, own: Driven, base: Driven) -> float:
     low, high = _ends(held)
     limit, value = requirement.limit, low if requirement.min is not None else high
     beyond = excess(requirement, value) / (abs(limit) or 1)
-    is_passed = beyond < 0 and (limit > 0 if requirement.min is not None else limit < 0)  # there is no end to it
+    # A metric may be above a positive least value by any amount, and below a negative greatest one.
+    is_passed = beyond < 0 and (limit > 0 if requirement.min is not None else limit < 0)
     return limit / value if is_passed else max(0.0, 1 + beyond)
 
 
