@@ -11,6 +11,7 @@ from typer.core import TyperCommand
 
 from ridelab import __version__
 from ridelab.cli import jobs
+from ridelab.cli.cars_and_roads import road, vehicle
 from ridelab.cli.cite import cite
 from ridelab.cli.compare import compare
 from ridelab.cli.controller import controller, hil
@@ -30,7 +31,6 @@ from ridelab.cli.service import with_services
 from ridelab.cli.solve import solve
 from ridelab.cli.sweep import sweep
 from ridelab.cli.tune import tune
-from ridelab.cli.vehicle import road, vehicle
 from ridelab.connection import TOKEN_VARIABLE
 
 HELP = """Ridelab: what-ifs of active suspension over bumps.
