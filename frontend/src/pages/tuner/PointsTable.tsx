@@ -1,7 +1,7 @@
 /** The best points beside the paper's weights: what they give on the training roads, and their weights. */
 
 import { Button, Stack } from "@mantine/core";
-import type { ReactNode } from "react";
+import { Fragment, type ReactNode } from "react";
 import type { Trial, Tuning, Weights } from "../../api/types";
 import { ChangeMark } from "../../features/tables/ChangeMark";
 import tables from "../../features/tables/tables.module.css";
@@ -64,7 +64,7 @@ export function PointTable({ trial, ...parts }: Parts & { readonly trial: Trial 
   const { paper } = parts.tuning;
   return (
     <DataTable
-      label="Weights"
+      label="Values of the selected point"
       attributes={{ "data-dense": true }}
       rows={rowsOf(parts, trial.weights, paper?.weights)}
       rowKey={({ label }) => label}
@@ -124,21 +124,43 @@ const limitRows = (limits: readonly ShownNumber[], tuning: Tuning) =>
     },
   }));
 
+interface WeightValuesProps {
+  readonly fields: readonly Pick<Single, "name" | "field">[];
+  readonly weights: Weights;
+  readonly beside: Weights | undefined;
+}
+
+/** Values of a row in one line, under it in small those they are beside, struck through where they differ. */
+function WeightValues({ fields, weights, beside }: WeightValuesProps) {
+  const shown = fields.map(({ name, field }) => {
+    const own = weightAt(weights, name);
+    const other = (beside && weightAt(beside, name)) ?? own;
+    return { name, own: shownWeight(own, field), other: shownWeight(other, field) };
+  });
+  return (
+    <>
+      {shown.map(({ own }) => own).join(" · ")}
+      {shown.some(({ own, other }) => other !== own) && (
+        <span className={ui.under}>
+          {shown.map(({ name, own, other }, index) => (
+            <Fragment key={name}>
+              {index > 0 && " · "}
+              {other === own ? other : <s>{other}</s>}
+            </Fragment>
+          ))}
+        </span>
+      )}
+    </>
+  );
+}
+
 function weightRows(tunable: Tunable, weights: Weights, beside?: Weights): readonly Row[] {
-  const row = (name: string, label: string, unit: string, fields: readonly Pick<Single, "name" | "field">[]): Row => {
-    const text = (of: Weights) => fields.map((each) => shownWeight(weightAt(of, each.name), each.field)).join(" · ");
-    return {
-      label,
-      unit,
-      attributes: () => ({ "data-weights": name }),
-      cell: ({ trial }) => (
-        <>
-          {text(trial.weights)}
-          {beside && text(beside) !== text(trial.weights) && <s className={ui.under}>{text(beside)}</s>}
-        </>
-      ),
-    };
-  };
+  const row = (name: string, label: string, unit: string, fields: readonly Pick<Single, "name" | "field">[]): Row => ({
+    label,
+    unit,
+    attributes: () => ({ "data-weights": name }),
+    cell: ({ trial }) => <WeightValues {...{ fields, beside }} weights={trial.weights} />,
+  });
   return [
     ...tunable.triples.map(({ pointer, title, items }) =>
       row(
