@@ -19,7 +19,7 @@ import { formatFixed } from "../../units/format";
 import { useMemo, useRef } from "react";
 import { Chart, type ChartFigure } from "../../plots/Chart";
 import { ChartButton } from "../../plots/FigureButton";
-import { chartLayout, ON_PAPER, PALETTES, type Palette } from "../../plots/palettes";
+import { chartLayout, ON_PAPER, PALETTES, referenceLine, type Palette } from "../../plots/palettes";
 import { Card } from "../../ui/Card";
 
 interface Props {
@@ -83,7 +83,7 @@ interface EqualSpeedProps {
 type Pair = Attribution["equal_speed"][number];
 
 /** Pairs at the same speed plan: what is left of a gain when nobody slows down alone. */
-function EqualSpeed({ pairs, words }: EqualSpeedProps) {
+export function EqualSpeed({ pairs, words }: EqualSpeedProps) {
   const [first] = pairs;
   if (!first) return null;
   return (
@@ -100,7 +100,9 @@ function EqualSpeed({ pairs, words }: EqualSpeedProps) {
           group: words.view(metric),
           head: words.signal(metric.signal),
           cell({ cells }) {
-            const { our_change: value = NaN, ci = [] } = cells[index] ?? {};
+            const cell = cells[index];
+            if (!cell) return null;
+            const { our_change: value, ci } = cell;
             const [low = null, high = null] = ci;
             return <SureChange {...{ value, low, high }}>{spreadOf(value, ci)}</SureChange>;
           },
@@ -186,13 +188,17 @@ function ShareBars({ shares, words }: ShareBarsProps) {
 }
 
 /** Of a figure, and of the axis [px]. */
-const [ROW, AROUND] = [26, 60];
+const [ROW, AROUND] = [26, 76];
 
 const nameOf = (share: Share, words: Pick<Labels, "signal" | "view">) =>
   `${words.signal(share.signal)}, ${words.view(share)}`;
 
 /** What adds stacks up to the right of zero, what takes away to the left of it. */
-function sharesFigure(shares: readonly Share[], words: Pick<Labels, "signal" | "view">, palette: Palette): ChartFigure {
+export function sharesFigure(
+  shares: readonly Share[],
+  words: Pick<Labels, "signal" | "view">,
+  palette: Palette,
+): ChartFigure {
   const names = shares.map((share) => nameOf(share, words));
   return {
     data: PARTS.map(({ part, label, colour }) => ({
@@ -206,8 +212,9 @@ function sharesFigure(shares: readonly Share[], words: Pick<Labels, "signal" | "
     })),
     layout: chartLayout(palette, {
       barmode: "relative",
-      margin: { l: 8, r: 16, t: 8, b: 48 },
-      xaxis: { title: { text: "Share of LV’s gain [%]" }, zeroline: true, zerolinecolor: palette.zero },
+      margin: { l: 8, r: 16, t: 24, b: 48 },
+      ...referenceLine(palette, "x", 100, "whole gain", "center"),
+      xaxis: { title: { text: "Share [%]" }, zeroline: true, zerolinecolor: palette.zero },
       yaxis: { autorange: "reversed" },
     }),
   };
