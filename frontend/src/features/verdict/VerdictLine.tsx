@@ -148,7 +148,11 @@ interface Score {
 export function scoreOf(compared: Compared, catalogue: Signals, leader: Strategy, paired: PairedAgainst): Score | null {
   const others = compared.strategies.filter(({ id }) => id !== leader.id);
   const verdicts = metricsOf(compared, catalogue).map((metric) =>
-    others.map((other) => between(compared, [other, leader], metric, paired)?.verdict ?? null),
+    others.map((other) => {
+      const verdict = between(compared, [other, leader], metric, paired)?.verdict ?? null;
+      // On one road only against a leader that is at zero, where the other is not.
+      return verdict === "none" && !compared.shown.over ? "worse" : verdict;
+    }),
   );
   if (verdicts.flat().includes(null)) return null;
   const count = (test: (each: readonly (Verdict | null)[]) => boolean) => verdicts.filter(test).length;
