@@ -280,20 +280,22 @@ def test_results_wait_for_a_database_that_is_away(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, reads_fail: bool
 ) -> None:
     """Where reads fail too the lead is lost."""
-    fails, away = threading.Semaphore(40), threading.Event()
+    fails = threading.Semaphore(40)
+    unsaved: set[str] = set()  # a key of each chunk
 
-    def unreliable(save: Callable[..., None]) -> Callable[..., None]:
-        def saving(*args: Any) -> None:
+    def unreliable(save: Callable[..., tuple[set[str], int]]) -> Callable[..., tuple[set[str], int]]:
+        def saving(job_id: str, computed: Sequence[Outcome], *rest: Any) -> tuple[set[str], int]:
+            unsaved.add(computed[0].key)
             if fails.acquire(blocking=False):
-                away.set()
                 raise OperationalError("INSERT", {}, Exception("the server is gone"))
-            away.clear()
-            save(*args)
+            saved = save(job_id, computed, *rest)
+            unsaved.discard(computed[0].key)
+            return saved
 
         return saving
 
     async def confirm(_: Leadership) -> None:
-        if reads_fail and away.is_set():
+        if reads_fail and unsaved:
             raise LeadershipLostError
 
     monkeypatch.setattr(Leadership, "confirm", confirm)

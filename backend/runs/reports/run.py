@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
+from pydantic import ValidationError
+
 from backend.json_types import JsonObject
 from backend.means_over_roads import one_road_resolution
 from backend.outcome import Outcome
@@ -96,7 +98,7 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
         ran=ran,
         changes=answer.get("changes", {}),
         bases=_bases(ran, facts),
-        random=any(Scenario.model_validate(each["scenario"]).is_random for each in (answer, facts.against) if each),
+        random=any(_is_random(each["scenario"]) for each in (answer, facts.against) if each),
     )
     values = {
         "run_id": answer["id"],
@@ -222,6 +224,14 @@ class Numbers:
             "change": None if change is None else percent(percentage, uncertainty),
             "verdict": "" if same else "better" if percentage < 0 else "worse",
         }
+
+
+def _is_random(scenario: JsonObject) -> bool:
+    """Whether another seed would give another result; also of a scenario that this version does not take."""
+    try:
+        return Scenario.model_validate(scenario).is_random
+    except ValidationError:
+        return True
 
 
 def _bases(ran: JsonObject, facts: RunFacts) -> dict[str, Base]:
