@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { decodeArray, decodeBand, decodeSeries, isExtreme, maximumOf, minimumOf } from "./decode";
-import { decodeLive } from "./live";
+import { decodeLive } from "./client";
 
 const encode = (array: Float32Array) =>
   btoa(String.fromCharCode(...new Uint8Array(array.buffer, array.byteOffset, array.byteLength)));

@@ -4,8 +4,8 @@ import { Button, PasswordInput, Stack } from "@mantine/core";
 import { useMutation } from "@tanstack/react-query";
 import { useState } from "react";
 import { ask } from "../api/http";
-import { Blank } from "../ui/Blank";
 import { submits } from "../ui/ListEntry";
+import { Blank } from "../ui/Page";
 
 export function Login() {
   const [token, setToken] = useState("");

@@ -1,11 +1,22 @@
-/** Finds an action, a page or a field of the form by its name. */
+/** What is opened by a key: the search for an action, a page or a field by its name; and help. */
 
-import { Kbd } from "@mantine/core";
+import { Kbd, Button, Group, Modal } from "@mantine/core";
 import { createSpotlight, Spotlight, type SpotlightActionData } from "@mantine/spotlight";
 import "@mantine/spotlight/styles.layer.css";
 import { useEffect, useState } from "react";
-import { ACTION_IDS, ACTIONS, canRun, paletteEntries, runAction, type PaletteEntry } from "../lab/actions";
-import { keyNames } from "./keys";
+import {
+  ACTION_IDS,
+  ACTIONS,
+  canRun,
+  paletteEntries,
+  runAction,
+  type PaletteEntry,
+  isOffered,
+  useActionButton,
+} from "../lab/actions";
+import { DataTable } from "../ui/DataTable";
+import { Icon } from "../ui/icons";
+import { MANUAL } from "../ui/manual";
 
 const GROUPS = ["Pages", "Lab", "Strategies", "Library", "Presets", "Fields"] as const;
 const MOST = 40;
@@ -85,3 +96,53 @@ export function Palette({ onClose }: { readonly onClose: () => void }) {
     />
   );
 }
+
+const EVERYWHERE = [
+  { label: "Slider or plot cursor: one step back or forward", keys: "← →" },
+  { label: "Apply a typed value", keys: "Enter" },
+  { label: "Discard a typed value, close a window", keys: "Esc" },
+];
+
+/** Where one learns more: the tour, the manual, and which keys there are on this page. */
+export function Help({ onClose }: { readonly onClose: () => void }) {
+  const tour = useActionButton("tour");
+  const named = ACTION_IDS.filter(isOffered).flatMap((id) => {
+    const { label, keys = [] } = ACTIONS[id];
+    return keys.length > 0 ? [{ label, keys: keys.map(keyNames).join(" or ") }] : [];
+  });
+  return (
+    <Modal opened onClose={onClose} title="Help">
+      <Group gap="0.5rem" mb="0.7rem">
+        {isOffered("tour") && (
+          <Button
+            variant="light"
+            onClick={() => {
+              onClose();
+              tour.onClick();
+            }}
+          >
+            {tour.label}
+          </Button>
+        )}
+        <Button component="a" href={MANUAL} target="_blank" rightSection={<Icon name="ExternalLink" size={14} />}>
+          Read the manual
+        </Button>
+      </Group>
+      <DataTable
+        label="Keys"
+        rows={[...named, ...EVERYWHERE]}
+        rowKey={({ keys, label }) => keys + label}
+        columns={[
+          { key: "keys", head: "Key", text: true, cell: ({ keys }) => <Kbd>{keys}</Kbd> },
+          { key: "label", head: "What it does", text: true, cell: ({ label }) => label },
+        ]}
+      />
+    </Modal>
+  );
+}
+
+/** Keys as they are written on this machine's keyboard. */
+const keyNames = (keys: string): string => {
+  const mod = /Mac|iPhone|iPad/.test(navigator.userAgent) ? "⌘" : "Ctrl";
+  return keys.replace("mod", mod).replace("shift", "Shift").replace(/\+/g, " + ");
+};

@@ -2,7 +2,6 @@
 
 import type { QueryClient } from "@tanstack/react-query";
 import type { Link, Scenario, StrategyId } from "../api/types";
-import type { ErrorsByField } from "../scenario/errors";
 import type { Pointer } from "../scenario/path";
 import type { Group } from "../scenario/schema";
 import type { Address } from "./address";
@@ -11,6 +10,7 @@ import type { Result } from "./result";
 import type { Atom, ReadonlyAtom } from "@tanstack/react-store";
 import type { Api } from "../api/client";
 import type { LabAddress } from "./labAddress";
+import type { ErrorsByField } from "../scenario/fields";
 
 /** A text that is not a value the field can take; it stays in its input until somebody changes it. */
 export interface InvalidInput {

@@ -9,9 +9,9 @@ import { NO_ERRORS, refusal } from "./problems";
 import { ALL_POINTS } from "../server/queries";
 import { axisKey } from "./resultView";
 import { fromLive, type Result } from "./result";
-import { withoutGone } from "../scenario/ownOptions";
 import { createAtom, type Atom } from "@tanstack/react-store";
 import { createTimer, type Timer } from "../lib/timer";
+import { withoutGone } from "../scenario/differences";
 
 /** Samples of a curve where a panel, some 400 px wide, shows the bump, on which half of them lie. */
 const POINTS = 400;

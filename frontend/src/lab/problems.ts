@@ -1,9 +1,9 @@
 /** What went wrong with a request of the lab: at a field, in a notice, or for want of a server. */
 
 import { ApiProblem, isAbort, isNotFound, isTransient } from "../api/problem";
-import { errorsByField, type ErrorsByField } from "../scenario/errors";
 import type { Group } from "../scenario/schema";
 import type { LabState } from "./labState";
+import { errorsByField, type ErrorsByField } from "../scenario/fields";
 
 export const NO_ERRORS: ErrorsByField = { fields: {}, general: [] };
 

@@ -11,11 +11,11 @@ import { createLive } from "./live";
 import { NO_ERRORS, problemOf, hasErrors } from "./problems";
 import { fromCache, linkKey, runKey } from "../server/queries";
 import { readSharedView } from "./sharing";
-import { withoutGone } from "../scenario/ownOptions";
 import { fromRun, resultsAfterEdit, resultsAfterOpening } from "./result";
 import type { Atom } from "@tanstack/react-store";
 import { isRecording } from "../lib/recording";
 import { createTimer, type Timer } from "../lib/timer";
+import { withoutGone } from "../scenario/differences";
 
 const STALE_AFTER_MS = 200;
 

@@ -4,7 +4,6 @@ import type { JsonValue, Scenario } from "../api/types";
 import { formatExact, prettyUnit } from "../units/format";
 import { roadName } from "./library";
 import { inShownUnit } from "./limits";
-import { OWN } from "./ownOptions";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
 import {
   fieldsOf,
@@ -123,4 +122,21 @@ function inOneLine(
   const rest = changes.length - most;
   const listed = changes.slice(0, rest === 1 ? most + 1 : most).map(textOf);
   return [...listed, ...(rest > 1 ? [`${rest} more`] : [])].join(", ");
+}
+
+export const OWN = "/own/";
+
+const entriesOf = (value: unknown) => (typeof value === "object" && value !== null ? Object.entries(value) : []);
+
+/** The scenario without options of controllers that are there no more: a service refuses them. */
+export function withoutGone(form: Member | null, scenario: Scenario): Scenario {
+  if (form === null || entriesOf(scenario.own).length === 0) return scenario;
+  const below = (member: Member | undefined, pointer: string) =>
+    member?.kind === "group" ? member.members.find((each) => each.pointer === pointer) : undefined;
+  const laws = below(form, "/own");
+  const own = entriesOf(scenario.own).flatMap(([id, options]) => {
+    const law = below(laws, `${OWN}${id}`);
+    return law ? [[id, entriesOf(options).filter(([name]) => below(law, `${OWN}${id}/${name}`))] as const] : [];
+  });
+  return { ...scenario, own: Object.fromEntries(own.map(([id, options]) => [id, Object.fromEntries(options)])) };
 }

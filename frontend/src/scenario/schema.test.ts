@@ -8,12 +8,12 @@ import {
   resetMember,
   paperScenarioOf,
 } from "./differences";
-import { fieldFor, errorsByField } from "./errors";
 import { FORM } from "./form.fixture";
 import { foundIn, matching, sections } from "../features/editor/Editor";
 import { parseTyped, sliderScale, stepped, typedText, typicalValue, valueText } from "./limits";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
 import { readSchema, type NumberField } from "./schema";
+import { fieldFor, errorsByField } from "./fields";
 
 function numberField(pointer: Pointer): NumberField {
   const leaf = leavesOf(FORM).find((candidate) => candidate.pointer === pointer);

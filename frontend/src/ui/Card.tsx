@@ -5,7 +5,6 @@ import { CatchBoundary, type ErrorComponentProps } from "@tanstack/react-router"
 import type { ComponentProps, ReactNode } from "react";
 import { messageOf } from "../api/problem";
 import { Fault } from "./Messages";
-import columns from "./columns.module.css";
 import ui from "./ui.module.css";
 
 interface Props extends Omit<BoxProps, "className">, Omit<ComponentProps<"section">, "title" | keyof BoxProps> {
@@ -40,7 +39,7 @@ interface ColumnsProps extends BoxProps, Omit<ComponentProps<"div">, keyof BoxPr
 
 /** Cards or fields side by side, as many as have room. */
 export const Columns = ({ least = "27rem", gap = "0.7rem", className = "", ...rest }: ColumnsProps) => (
-  <Box className={`${columns.columns} ${className}`} style={{ gap }} __vars={{ "--least": least }} {...rest} />
+  <Box className={`${ui.columns} ${className}`} style={{ gap }} __vars={{ "--least": least }} {...rest} />
 );
 
 /** A fault in one card leaves the others. */

@@ -2,6 +2,7 @@
 
 import { ActionIcon } from "@mantine/core";
 import type { ReactNode } from "react";
+import ui from "./ui.module.css";
 
 interface Props {
   readonly label: string;
@@ -17,3 +18,6 @@ export function IconButton({ label, disabled = false, onClick, children }: Props
     </ActionIcon>
   );
 }
+
+/** A button of a header that is only its icon where there is little room. */
+export const compact = { root: ui.compact ?? "", label: ui.compactLabel ?? "", section: ui.compactSection ?? "" };

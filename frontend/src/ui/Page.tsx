@@ -1,12 +1,12 @@
-/** A page beside the lab: its title, its tools and what it shows, which its route has fetched. */
+/** A page beside the lab: its title, its tools and what it shows, which its route has fetched; and what stands in place of results. */
 
-import { Box, Text } from "@mantine/core";
+import { Box, Text, Button, Skeleton } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
 import { type ReactNode, createContext, use } from "react";
 import { createPortal } from "react-dom";
-import { Loading } from "./Blank";
 import ui from "./ui.module.css";
 import shell from "./shell.module.css";
+import { useQueryClient } from "@tanstack/react-query";
 
 interface Props {
   /** Of the tab. */
@@ -59,4 +59,57 @@ export const SlotsContext = createContext<Readonly<Record<Slot, HTMLElement | nu
 export function ShellSlot({ name, children }: { readonly name: Slot; readonly children: ReactNode }) {
   const element = use(SlotsContext)[name];
   return element && createPortal(children, element);
+}
+
+interface BlankProps {
+  readonly title: string;
+  readonly text: string;
+  readonly children?: ReactNode;
+}
+
+/** Nothing chosen, nothing found, nothing yet. */
+export function Blank({ title, text, children }: BlankProps) {
+  return (
+    <div className={`${ui.card} ${shell.blank}`}>
+      <svg width="180" height="46" viewBox="0 0 180 46" aria-hidden>
+        <path d="M2 40h58c14 0 18-30 30-30s16 30 30 30h58" className={shell.blankRoad} />
+      </svg>
+      <Text component="h2" fw={650} size="lg" ta="center">
+        {title}
+      </Text>
+      <Text c="dimmed" maw={420} ta="center">
+        {text}
+      </Text>
+      {children}
+    </div>
+  );
+}
+
+interface Failure {
+  readonly what?: string;
+  readonly message: string;
+  readonly onRetry?: () => void;
+  readonly retry?: string;
+}
+
+export function CouldNotLoad({ what = "page", message, onRetry, retry = "Try again" }: Failure) {
+  const queries = useQueryClient();
+  return (
+    <Blank title={`This ${what} could not be shown`} text={message}>
+      <Button size="sm" variant="filled" onClick={onRetry ?? (() => void queries.refetchQueries())}>
+        {retry}
+      </Button>
+    </Blank>
+  );
+}
+
+/** The places of what is on its way. */
+export function Loading({ label, heights }: { readonly label: string; readonly heights: readonly number[] }) {
+  return (
+    <div className={ui.stack} aria-busy aria-label={label}>
+      {heights.map((height, index) => (
+        <Skeleton key={index} height={height} radius={8} />
+      ))}
+    </div>
+  );
 }

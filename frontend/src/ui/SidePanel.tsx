@@ -3,7 +3,6 @@
 import { CloseButton, Group, Stack } from "@mantine/core";
 import { useEffect, useEffectEvent, useLayoutEffect, useRef, type ReactNode } from "react";
 import { Card } from "./Card";
-import classes from "./sidePanel.module.css";
 import ui from "./ui.module.css";
 
 interface Props {
@@ -31,8 +30,8 @@ export function SidePanel({ title, tools, onClose, children, ...rest }: Props) {
     return () => document.removeEventListener("keydown", listen);
   }, []);
   return (
-    <Card ref={ref} className={classes.panel} data-unprinted aria-label={title} {...rest}>
-      <Group component="header" gap="0.4rem" wrap="nowrap" className={classes.head ?? ""}>
+    <Card ref={ref} className={ui.sidePanel} data-unprinted aria-label={title} {...rest}>
+      <Group component="header" gap="0.4rem" wrap="nowrap" className={ui.sidePanelHead ?? ""}>
         <h2 className={ui.heading} style={{ flex: 1 }}>
           {title}
         </h2>

@@ -10,12 +10,10 @@ import { runAction, useAction, useActionButton } from "../../lab/actions";
 import { cursor, useCursor } from "../../lab/cursor";
 import type { ResultView } from "../../lab/resultView";
 import classes from "./car.module.css";
-import { Lane } from "./Lane";
-import { restingCursor } from "./geometry";
+import { Lane, Arrow } from "./Lane";
+import { restingCursor, dimensionsOf, scaleOf } from "./geometry";
 import { Card } from "../../ui/Card";
 import { formatExact } from "../../units/format";
-import { dimensionsOf, scaleOf } from "./layout";
-import { Arrow } from "./parts";
 import { valueAt } from "../../lib/samples";
 import { Choice } from "../../ui/Entry";
 

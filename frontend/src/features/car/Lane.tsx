@@ -1,15 +1,21 @@
 /** One strategy's car on its road, seen from the side, following the cursor; the others' bodies as outlines. */
 
 import { Box, Group } from "@mantine/core";
-import { useMemo } from "react";
+import { useMemo, memo } from "react";
 import type { Strategy } from "../../api/types";
 import { useCursor } from "../../lab/cursor";
 import type { ResultView } from "../../lab/resultView";
 import { formatNumber } from "../../units/format";
 import classes from "./car.module.css";
 import ui from "../../ui/ui.module.css";
-import { poseAt, roadProfile, type CarPose, type StaticLoads, restingCursor } from "./geometry";
 import {
+  bodyPath,
+  windowPath,
+  poseAt,
+  roadProfile,
+  type CarPose,
+  type StaticLoads,
+  restingCursor,
   CLEARANCE,
   dimensionsOf,
   drawnCar,
@@ -18,9 +24,9 @@ import {
   roofOf,
   scaleOf,
   shiftInto,
-  type Dimensions,
-} from "./layout";
-import { Arrow, Body, Ghost, Strut, Wheel } from "./parts";
+  type DrawnAxle,
+  type DrawnCar,
+} from "./geometry";
 
 interface Props {
   readonly resultView: ResultView;
@@ -39,7 +45,6 @@ export function Lane({ resultView, strategy, width, exaggeration }: Props) {
   const { metre, rise } = scale;
   const path = useMemo(() => bodyPath(size, metre), [size, metre]);
   const windows = useMemo(() => windowPath(size, metre), [size, metre]);
-  const cg = useMemo(() => ({ x: size.cgToRear * metre, y: (CLEARANCE - size.cgHeight) * metre }), [size, metre]);
 
   const pose = poseOf(resultView, strategy.id, at);
   if (!pose || width === 0) return <div className={classes.lane} style={{ height: HEIGHT }} />;
@@ -63,17 +68,18 @@ export function Lane({ resultView, strategy, width, exaggeration }: Props) {
             const other = poseOf(resultView, id, at);
             return (
               other && (
-                <Ghost
+                <path
                   key={id}
-                  car={drawnCar(other, size, scale, other.position - pose.position)}
-                  path={path}
-                  colour={colour}
+                  transform={bodyPlace(drawnCar(other, size, scale, other.position - pose.position))}
+                  d={path}
+                  stroke={colour}
+                  className={classes.ghost}
                 />
               )
             );
           })}
-          <g style={{ color: strategy.colour }}>
-            <Body car={car} path={path} windows={windows} cg={cg} />
+          <g style={{ color: strategy.colour }} transform={bodyPlace(car)}>
+            <Body {...{ path, windows }} x={size.cgToRear * metre} y={(CLEARANCE - size.cgHeight) * metre} />
           </g>
           {[car.rear, car.front].map((axle, index) => (
             <g key={index}>
@@ -151,48 +157,99 @@ function Road({ resultView, strategy, wheelbase, metre, rise }: RoadProps) {
   }, [series, wheelbase, metre, rise]);
 }
 
-type Outline = Pick<Dimensions, "wheelbase" | "radius" | "isVan">;
-
-const [TAIL, NOSE] = [-0.78, 0.82];
-
-/** The body's outline from the rear axle (0, 0) to the front one, y down, 1 m = `s` px; its floor is at y = 0. */
-export function bodyPath({ wheelbase, radius, isVan }: Outline, s: number): string {
-  const point = (x: number, up: number) => `${(x * s).toFixed(1)} ${(-up * s).toFixed(1)}`;
-  const arch = radius * 1.22;
-  const [nose, hood, roof] = [wheelbase + NOSE, 0.79 * wheelbase, 0.46 * wheelbase];
-  const top = isVan
-    ? [
-        `L ${point(TAIL, 1.3)} Q ${point(TAIL, 1.5)}, ${point(TAIL + 0.25, 1.5)}`,
-        `L ${point(wheelbase - 0.1, 1.5)} Q ${point(wheelbase + 0.25, 1.48)}, ${point(wheelbase + 0.42, 0.86)}`,
-        `Q ${point(nose, 0.7)}, ${point(nose, 0.3)}`,
-      ]
-    : [
-        `C ${point(TAIL - 0.04, 0.5)}, ${point(TAIL + 0.02, 0.66)}, ${point(TAIL + 0.2, 0.68)}`,
-        `L ${point(-0.28, 0.7)}`,
-        `C ${point(0.1, 0.98)}, ${point(0.28, 1.12)}, ${point(roof, 1.12)}`,
-        `C ${point(roof + 0.45, 1.12)}, ${point(hood - 0.3, 0.84)}, ${point(hood, 0.7)}`,
-        `C ${point(wheelbase + 0.2, 0.65)}, ${point(nose - 0.02, 0.56)}, ${point(nose, 0.3)}`,
-      ];
-  return [
-    `M ${point(TAIL, 0.12)}`,
-    ...top,
-    `L ${point(nose, 0.1)} Q ${point(nose, 0)}, ${point(nose - 0.12, 0)}`,
-    `L ${point(wheelbase + arch, 0)} A ${arch * s} ${arch * s} 0 0 0 ${point(wheelbase - arch, 0)}`,
-    `L ${point(arch, 0)} A ${arch * s} ${arch * s} 0 0 0 ${point(-arch, 0)}`,
-    `L ${point(TAIL + 0.12, 0)} Q ${point(TAIL, 0)}, ${point(TAIL, 0.12)} Z`,
-  ].join(" ");
+interface WheelProps {
+  readonly axle: DrawnAxle;
+  readonly radius: number;
+  /** Angle rolled so far [rad]. */
+  readonly rolled: number;
 }
 
-export function windowPath({ wheelbase, isVan }: Outline, s: number): string {
-  const point = (x: number, up: number) => `${(x * s).toFixed(1)} ${(-up * s).toFixed(1)}`;
-  if (isVan)
-    return [
-      `M ${point(wheelbase - 0.62, 0.86)} V ${(-1.32 * s).toFixed(1)} H ${((wheelbase - 0.1) * s).toFixed(1)}`,
-      `Q ${point(wheelbase + 0.12, 1.3)}, ${point(wheelbase + 0.28, 0.86)} Z`,
-    ].join(" ");
-  const [pillar, roof, hood] = [0.4 * wheelbase, 0.46 * wheelbase, 0.79 * wheelbase];
-  return [
-    `M ${point(0.02, 0.74)} C ${point(0.2, 0.95)}, ${point(0.35, 1.03)}, ${point(pillar - 0.04, 1.04)} L ${point(pillar - 0.04, 0.74)} Z`,
-    `M ${point(pillar + 0.04, 1.04)} L ${point(roof, 1.04)} C ${point(roof + 0.35, 1.03)}, ${point(hood - 0.35, 0.86)}, ${point(hood - 0.12, 0.74)} L ${point(pillar + 0.04, 0.74)} Z`,
-  ].join(" ");
+/** The tyre is as long below the hub as its load leaves it; off the road there is a gap beneath it. */
+function Wheel({ axle: { x, hub, tyre, airborne }, radius, rolled }: WheelProps) {
+  const rim = radius * 0.58;
+  return (
+    <g transform={`translate(${x} ${hub})`} data-airborne={airborne || undefined} className={classes.wheel}>
+      <path
+        d={`M ${-radius} 0 A ${radius} ${radius} 0 0 1 ${radius} 0 A ${radius} ${tyre} 0 0 1 ${-radius} 0 Z`}
+        className={classes.tyre}
+      />
+      <circle r={rim} className={classes.rim} />
+      <g transform={`rotate(${((rolled * 180) / Math.PI) % 360})`} className={classes.spoke}>
+        <path d={`M ${-rim} 0 H ${rim} M 0 ${-rim} V ${rim}`} />
+      </g>
+    </g>
+  );
 }
+
+const COILS = 5;
+/** Half the distance between spring and damper, and half the width of either. */
+const [APART, HALF] = [4.5, 3];
+
+interface StrutProps {
+  readonly axle: DrawnAxle;
+  readonly isActive: boolean;
+}
+
+/** Spring and damper beside each other between wheel and body, where there is one the actuator between them. */
+function Strut({ axle: { x, hub, mount }, isActive }: StrutProps) {
+  const top = Math.min(mount, hub - 5);
+  const middle = (hub + top) / 2;
+  const step = (hub - top) / (COILS + 1);
+  const coils = Array.from(
+    { length: COILS },
+    (_, i) => `L ${-APART + (i % 2 === 0 ? HALF : -HALF)} ${top + (i + 1) * step}`,
+  );
+  const spring = `M ${-APART} ${top} ${coils.join(" ")} L ${-APART} ${hub}`;
+  // The piston hangs from the body in a cylinder on the wheel.
+  const cylinder = Math.max(middle - 3, top + 1);
+  const damper = `M ${APART} ${top} V ${middle} M ${APART - 2} ${middle} H ${APART + 2} M ${APART - HALF} ${cylinder} V ${hub - 2} H ${APART + HALF} V ${cylinder} M ${APART} ${hub - 2} V ${hub}`;
+  const ends = `M ${-APART - 2} ${top} H ${APART + 2} M ${-APART - 2} ${hub} H ${APART + 2}`;
+  const path = `${ends} ${spring} ${damper}`;
+  return (
+    <g transform={`translate(${x} 0)`} className={classes.strut}>
+      <path d={path} className={classes.halo} />
+      <path d={path} />
+      {isActive && <path d={`M 0 ${top} V ${hub}`} className={classes.actuator} />}
+    </g>
+  );
+}
+
+/** Shorter ones would only flicker. */
+const SHORTEST = 3;
+
+/** An arrow from (0, 0), `length` px up, or down if that is negative. */
+export function Arrow({ length }: { readonly length: number }) {
+  if (Math.abs(length) < SHORTEST) return null;
+  const head = Math.sign(length) * Math.min(6, Math.abs(length));
+  return (
+    <g className={classes.force}>
+      <path d={`M 0 0 V ${-length + head / 2}`} />
+      <path d={`M -4 ${-length + head} H 4 L 0 ${-length} Z`} />
+    </g>
+  );
+}
+
+const bodyPlace = ({ rear, tilt }: DrawnCar) => `translate(${rear.x} ${rear.floor}) rotate(${tilt})`;
+
+interface BodyProps {
+  readonly path: string;
+  readonly windows: string;
+  readonly x: number;
+  readonly y: number;
+}
+
+const CG = 4;
+
+/** Outline, windows and the centre of gravity's mark; the same in every frame. */
+const Body = memo(function Body({ path, windows, x, y }: BodyProps) {
+  return (
+    <>
+      <path d={path} className={classes.body} />
+      <path d={windows} className={classes.window} />
+      <g transform={`translate(${x} ${y})`} className={classes.cg}>
+        <circle r={CG} />
+        <path d={`M 0 0 V ${-CG} A ${CG} ${CG} 0 0 1 ${CG} 0 Z M 0 0 V ${CG} A ${CG} ${CG} 0 0 1 ${-CG} 0 Z`} />
+      </g>
+    </>
+  );
+});

@@ -1,7 +1,17 @@
 import { describe, expect, it } from "vitest";
-import { poseAt, roadProfile, type CarPose } from "./geometry";
-import { bodyPath, windowPath } from "./Lane";
-import { dimensionsOf, drawnCar, GROUND, roofOf, scaleOf, shiftInto } from "./layout";
+import {
+  bodyPath,
+  windowPath,
+  poseAt,
+  roadProfile,
+  type CarPose,
+  dimensionsOf,
+  drawnCar,
+  GROUND,
+  roofOf,
+  scaleOf,
+  shiftInto,
+} from "./geometry";
 
 const f = (...values: number[]) => new Float32Array(values);
 const series = {

@@ -23,7 +23,7 @@ import {
 import { getAt, setAt } from "../../scenario/path";
 import { findMember, optionOf, optionTitle } from "../../scenario/schema";
 import { useQueryClient } from "@tanstack/react-query";
-import { useOpenInLab } from "../../ui/useOpenInLab";
+import { useOpenInLab } from "../../ui/openInLab";
 import { LONGEST_NAME } from "../../scenario/library";
 import { BEFORE_WIDTH, PIN_WIDTH, pinDash } from "../../plots/curves";
 import { LineKey } from "../../ui/StrategyKey";

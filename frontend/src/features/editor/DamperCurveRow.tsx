@@ -10,10 +10,9 @@ import type { DataField } from "../../scenario/schema";
 import { Icon } from "../../ui/icons";
 import { formatExact } from "../../units/format";
 import classes from "./editor.module.css";
-import { FieldFrame } from "./FieldFrame";
-import { PartEntry } from "./PartEntry";
-import { useLeaf } from "./useLeaf";
+import { FieldFrame, useLeaf } from "./FieldFrame";
 import type { JsonValue } from "../../api/types";
+import { PartEntry } from "./NumberFieldRow";
 
 /** Velocity and force: unit, and what is accepted. */
 const PARTS = [

@@ -1,16 +1,18 @@
-/** Label, help, mark of a change and error: the same around every field. */
+/** What every field shares: its value and how it is changed; label, help, mark of a change and error around it. */
 
 import { ActionIcon, Box, Group, Text } from "@mantine/core";
 import { memo, useEffect, useRef, type ReactNode, useId } from "react";
 import { Icon } from "../../ui/icons";
 import { ManualLink } from "../../ui/ManualLink";
-import { useEdit, useReadOnly } from "../../lab/context";
+import { useEdit, useReadOnly, useFromScenario, useLab } from "../../lab/context";
 import classes from "./editor.module.css";
-import type { Leaf } from "../../scenario/differences";
-import { setAt } from "../../scenario/path";
+import { type Leaf, valueAt } from "../../scenario/differences";
+import { setAt, sameValue, type Pointer } from "../../scenario/path";
 import { type Field, optionOf, optionTitle, optionValue, type ChoiceField } from "../../scenario/schema";
-import type { LeafState } from "./useLeaf";
 import { Choice } from "../../ui/Entry";
+import type { JsonValue, Scenario } from "../../api/types";
+import type { InvalidInput } from "../../lab/labState";
+import { useStrategies } from "../../server/useCatalogues";
 
 interface Props {
   readonly id: string;
@@ -128,4 +130,61 @@ export function ChoiceFieldRow({ field, leaf }: { readonly field: ChoiceField; r
       }
     />
   );
+}
+
+export interface LeafState {
+  readonly value: JsonValue | undefined;
+  readonly readOnly: boolean;
+  /** Why the field is not read at the moment; a law of one's own may read any. */
+  readonly unread?: string;
+  readonly changed: boolean;
+  readonly rejected: InvalidInput | undefined;
+  readonly error: string | undefined;
+  readonly drag: (value: JsonValue) => void;
+  readonly release: () => void;
+  readonly commit: (value: JsonValue) => void;
+  readonly reject: (rejected: InvalidInput) => void;
+  readonly clearInvalid: () => void;
+}
+
+export function useLeaf({ pointer, paperValue, readWith }: Leaf): LeafState {
+  const value = useFromScenario((scenario) => valueAt(scenario, { pointer, paperValue }));
+  const isRead = useFromScenario(
+    (scenario) => readWith === undefined || valueAt(scenario, { ...readWith, paperValue: null }) === readWith.value,
+  );
+  const strategies = useStrategies();
+  const hasOwnLaw = useLab((state) => strategies.some(({ id, own }) => own && state.strategies.includes(id)));
+  const leaf = useValue(pointer, value, (scenario, next) => setAt(scenario, pointer, next));
+  const changed = !sameValue(value, paperValue);
+  if (readWith === undefined || isRead || hasOwnLaw) return { ...leaf, changed };
+  const unread = `Read only with ${readWith.title}: ${optionTitle(readWith.value)}`;
+  return { ...leaf, changed, readOnly: true, unread };
+}
+
+type Written = (scenario: Scenario, next: JsonValue) => Scenario;
+
+/** A value that is written in a way of its own. */
+export function useValue(pointer: Pointer, value: JsonValue | undefined, written: Written): LeafState {
+  const rejected = useLab((state) => state.invalidInput[pointer]);
+  const refused = useLab((state) => state.serverErrors.fields[pointer]);
+  const edit = useEdit();
+  return {
+    value,
+    readOnly: useReadOnly(),
+    changed: false,
+    rejected,
+    error: rejected?.message ?? refused,
+    drag: (next) => {
+      edit.clearInvalid(pointer);
+      edit.drag(written(edit.newest(), next));
+    },
+    release: () => edit.commit(edit.newest()),
+    commit: (next) => {
+      edit.clearInvalid(pointer);
+      const scenario = written(edit.newest(), next);
+      if (!sameValue(scenario, edit.newest())) edit.commit(scenario);
+    },
+    reject: (next) => edit.reject(pointer, next),
+    clearInvalid: () => edit.clearInvalid(pointer),
+  };
 }

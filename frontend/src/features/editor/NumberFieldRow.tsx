@@ -1,8 +1,8 @@
 /** A number with its slider and its typed value; switched off where it may be null. */
 
-import { Box, Switch, TextInput } from "@mantine/core";
+import { Box, Switch, TextInput, Input } from "@mantine/core";
 import { useId, useState, useRef, type CSSProperties } from "react";
-import { FieldFrame } from "./FieldFrame";
+import { FieldFrame, FieldError, type LeafState, useValue } from "./FieldFrame";
 import {
   typicalValue,
   valueText,
@@ -13,10 +13,12 @@ import {
   sliderScale,
 } from "../../scenario/limits";
 import type { NumberField } from "../../scenario/schema";
-import type { LeafState } from "./useLeaf";
 import { useReleaseAfterKeys } from "../../lib/useReleaseAfterKeys";
 import { prettyUnit, formatWithUnit } from "../../units/format";
 import classes from "./editor.module.css";
+import type { Scenario } from "../../api/types";
+import type { Pointer } from "../../scenario/path";
+import { shownIn } from "../../units/quantity";
 
 const OFF = "off";
 
@@ -189,5 +191,61 @@ export function NumberSlider({ field, leaf, label }: NumberSliderProps) {
       onPointerCancel={release}
       onLostPointerCapture={release}
     />
+  );
+}
+
+interface PartEntryProps {
+  readonly name: string;
+  /** In a table, whose heads say what it is. */
+  readonly unlabelled?: boolean;
+  readonly pointer: Pointer;
+  readonly unit: string;
+  /** What its arrow keys step in a hundredth of. */
+  readonly range: readonly [number, number];
+  readonly farthest: number;
+  readonly value: number | undefined;
+  readonly error: string | undefined;
+  readonly written: (value: number) => Scenario;
+}
+
+/** One of several numbers that are one value; what the value is refused for is said below all of them. */
+export function PartEntry({
+  name,
+  unlabelled = false,
+  pointer,
+  unit,
+  range,
+  farthest,
+  value,
+  error,
+  written,
+}: PartEntryProps) {
+  const id = useId();
+  const leaf = useValue(pointer, value, (_, next) => written(Number(next)));
+  const field = {
+    kind: "number",
+    pointer,
+    title: name,
+    description: "",
+    paperValue: null,
+    integer: false,
+    nullable: false,
+    unit,
+    shown: shownIn(unit, unit),
+    minimum: -farthest,
+    maximum: farthest,
+    exclusiveMinimum: false,
+    soft: range,
+  } as const;
+  return (
+    <div>
+      {!unlabelled && <Input.Label htmlFor={id}>{name}</Input.Label>}
+      <NumberEntry
+        {...{ id, field }}
+        leaf={{ ...leaf, error: leaf.error ?? error }}
+        {...(unlabelled ? { label: name } : {})}
+      />
+      <FieldError id={id} error={leaf.rejected?.message} />
+    </div>
   );
 }

@@ -4,7 +4,7 @@ import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { leavesOf } from "../../scenario/differences";
 import { FORM } from "../../scenario/form.fixture";
 import { NumberSlider } from "./NumberFieldRow";
-import type { LeafState } from "./useLeaf";
+import type { LeafState } from "./FieldFrame";
 
 const height = leavesOf(FORM).find(({ pointer }) => pointer === "/road/bump/height");
 

@@ -1,10 +1,10 @@
 /** Data, pictures and commands of what is shown. */
 
-import { Button, Menu, Modal, Text, Textarea } from "@mantine/core";
+import { Button, Menu, Modal, Text, Textarea, Group, SegmentedControl, Select } from "@mantine/core";
 import { Icon, type IconName } from "../../ui/icons";
 import { useMutation } from "@tanstack/react-query";
 import { useState } from "react";
-import { address } from "../../api/http";
+import { address, askFile } from "../../api/http";
 import { explain } from "../../api/problem";
 import { useCompared } from "../compare/useCompared";
 import { useAction, useActionButton, type ActionId } from "../../lab/actions";
@@ -13,15 +13,17 @@ import { useLabContext, useLab, useView } from "../../lab/context";
 import { useLabStrategies } from "../../lab/recordings";
 import { useFigures, useForm } from "../../server/useCatalogues";
 import { axisKey, makeResultView } from "../../lab/resultView";
-import { FmuDialog } from "./FmuDialog";
-import { ControllerFault, useController } from "./useController";
 import { asCommand, asCurl, asPython, type CopyRequest } from "./copyAs";
 import classes from "./export.module.css";
 import { plotsImage } from "./image";
 import { settledCurves } from "../../plots/curves";
 import { useCopied } from "../../ui/useCopied";
-import { compact } from "../../ui/compact";
 import { download } from "../../lib/download";
+import { compact } from "../../ui/IconButton";
+import type { FmuRequest, Scenario, Strategy } from "../../api/types";
+import { labelled } from "../../ui/Entry";
+import { Fault } from "../../ui/Messages";
+import { ControllerFault, useController, saveAs } from "./FileMenu";
 
 const FORMATS = [
   { format: "csv", label: "CSV" },
@@ -173,5 +175,71 @@ function ActionItem({ id, icon }: { readonly id: ActionId; readonly icon: IconNa
     <Menu.Item leftSection={<Icon name={icon} size={16} />} {...item}>
       {label}
     </Menu.Item>
+  );
+}
+
+const VEHICLE = "vehicle" as const;
+const VERSIONS = ["2.0", "3.0"] as const;
+
+interface Props {
+  readonly strategies: readonly Strategy[];
+  /** The strategy that is asked about first. */
+  readonly first: string | undefined;
+  readonly scenario: () => Scenario;
+  readonly onClose: () => void;
+}
+
+/** A controller or the vehicle as an FMU, which Simulink, CarMaker and Modelica tools import. */
+function FmuDialog({ strategies, first, scenario, onClose }: Props) {
+  const [what, setWhat] = useState<string>(first ?? VEHICLE);
+  const [version, setVersion] = useState<NonNullable<FmuRequest["version"]>>("2.0");
+  const file = useMutation({
+    mutationFn: () => {
+      const of = what === VEHICLE ? { of: VEHICLE } : { strategy: what };
+      return askFile("post", "/fmus", { body: { scenario: scenario(), version, ...of } }, (response) =>
+        response.blob(),
+      );
+    },
+    onSuccess: (fmu) => saveAs(fmu, `ridelab-${what}.fmu`),
+  });
+  const change = (to: () => void) => {
+    file.reset();
+    to();
+  };
+  return (
+    <Modal opened onClose={onClose} title="Export an FMU">
+      <Text c="dimmed" size="sm">
+        For co-simulation in Simulink, CarMaker, Modelica tools and Python, with the C sources and programs for Linux,
+        Windows and macOS as far as the service can compile them. The first one may take a minute.
+      </Text>
+      <Group gap="xs" align="flex-end" my="sm">
+        <Select
+          label="What"
+          w={260}
+          allowDeselect={false}
+          data={[
+            { group: "Controller of", items: labelled(strategies) },
+            { group: "Or", items: [{ value: VEHICLE, label: "The vehicle" }] },
+          ]}
+          value={what}
+          onChange={(value) => value !== null && change(() => setWhat(value))}
+        />
+        <SegmentedControl
+          aria-label="Version of FMI"
+          data={VERSIONS.map((value) => ({ value, label: `FMI ${value}` }))}
+          value={version}
+          onChange={(value) => change(() => setVersion(value === "3.0" ? "3.0" : "2.0"))}
+        />
+      </Group>
+      {file.error && <Fault>{explain(file.error)}</Fault>}
+      <Group justify="flex-end" gap="xs" mt="sm">
+        <Button size="sm" onClick={onClose}>
+          Close
+        </Button>
+        <Button size="sm" variant="filled" loading={file.isPending} onClick={() => file.mutate()}>
+          Export
+        </Button>
+      </Group>
+    </Modal>
   );
 }

@@ -1,13 +1,13 @@
 /** What a page beside the lab can be saved as: a menu of files. */
 
-import { Button, Menu } from "@mantine/core";
+import { Button, Menu, Modal, Text } from "@mantine/core";
 import type { ReactNode } from "react";
 import { download } from "../../lib/download";
-import { compact } from "../../ui/compact";
 import { Icon } from "../../ui/icons";
-import { useController, ControllerFault } from "./useController";
-import { address } from "../../api/http";
+import { address, askFile } from "../../api/http";
 import type { Batch, Scenario } from "../../api/types";
+import { compact } from "../../ui/IconButton";
+import { useMutation } from "@tanstack/react-query";
 
 export interface SavedFile {
   readonly label: string;
@@ -82,5 +82,34 @@ export function ControllerFile({ scenario }: { readonly scenario: Scenario | und
       />
       <ControllerFault {...fault} />
     </>
+  );
+}
+
+/** Long enough for the browser to have taken the file [ms]. */
+const KEEP_MS = 60_000;
+
+/** A file from memory. */
+export function saveAs(blob: Blob, name: string): void {
+  const address = URL.createObjectURL(blob);
+  download(address, name);
+  setTimeout(() => URL.revokeObjectURL(address), KEEP_MS);
+}
+
+/** Fetches the controller's C sources and hands them to the browser as a file. */
+export function useController() {
+  const { mutate, isPending, error, reset } = useMutation({
+    mutationFn: (scenario: Scenario) =>
+      askFile("post", "/controller", { body: { scenario } }, (response) => response.blob()),
+    onSuccess: (zip) => saveAs(zip, "ridelab-controller.zip"),
+  });
+  return { save: mutate, saving: isPending, error, reset };
+}
+
+/** Says why there is no file. */
+export function ControllerFault({ error, reset }: Pick<ReturnType<typeof useController>, "error" | "reset">) {
+  return (
+    <Modal opened={error !== null} onClose={reset} title="The controller could not be exported">
+      <Text>{error?.message}</Text>
+    </Modal>
   );
 }

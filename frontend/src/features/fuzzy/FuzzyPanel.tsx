@@ -27,9 +27,9 @@ import { useQuery } from "@tanstack/react-query";
 import { ask } from "../../api/http";
 import { ApiProblem, type FieldError } from "../../api/problem";
 import type { FuzzyAnswer, JsonValue } from "../../api/types";
-import { useLatest } from "../../server/useLatest";
 import { Choice } from "../../ui/Entry";
 import { extent } from "../../lib/samples";
+import { useLatest } from "../../lib/latest";
 
 interface Props {
   readonly resultView: ResultView;

@@ -9,10 +9,10 @@ import { EditableCurves } from "../../plots/EditableCurves";
 import { child } from "../../scenario/path";
 import { formatExact } from "../../units/format";
 import { FieldError } from "../editor/FieldFrame";
-import { PartEntry } from "../editor/PartEntry";
 import { setPointer, TITLES, withNewSet, withSet, type Rewritten, type RuleBase, type Variable } from "./ruleBase";
 import { Choice } from "../../ui/Entry";
 import { Columns } from "../../ui/Card";
+import { PartEntry } from "../editor/NumberFieldRow";
 
 interface Props {
   readonly variable: Variable;

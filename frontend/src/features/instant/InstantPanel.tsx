@@ -22,8 +22,8 @@ import ui from "../../ui/ui.module.css";
 import { useThrottledCallback } from "@mantine/hooks";
 import { useEffect } from "react";
 import { ask } from "../../api/http";
-import { useLatest } from "../../server/useLatest";
 import { Choice } from "../../ui/Entry";
+import { useLatest } from "../../lib/latest";
 
 interface Props {
   readonly resultView: ResultView;

@@ -5,7 +5,7 @@ import { useMutation, useQuery } from "@tanstack/react-query";
 import { useRouter, type NavigateOptions } from "@tanstack/react-router";
 import { useRef } from "react";
 import { ApiProblem } from "../../api/problem";
-import { navigateIfStillHere } from "../../ui/useOpenInLab";
+import { navigateIfStillHere } from "../../ui/openInLab";
 import { problemsByField, type DraftErrors, type FieldNameOf } from "./problems";
 
 const REST_MS = 350;

@@ -9,10 +9,10 @@ import { vehiclesQuery } from "../../server/queries";
 import { useForm, usePresets } from "../../server/useCatalogues";
 import { useQuery } from "@tanstack/react-query";
 import { useSelector } from "@tanstack/react-store";
-import { compact } from "../../ui/compact";
 import { LazyPart } from "../../ui/LazyPart";
 import { useOpenItem } from "./open";
 import { dialog, kindWord, ownLibrary } from "../../scenario/library";
+import { compact } from "../../ui/IconButton";
 
 const LibraryDialog = lazy(() => import("./LibraryDialog").then((module) => ({ default: module.LibraryDialog })));
 

@@ -1,8 +1,8 @@
 /** What the strategies are held to: a list of limits, each with how the shown result keeps it. */
 
-import { useState } from "react";
-import { Anchor, Group } from "@mantine/core";
-import type { Strategy } from "../../api/types";
+import { useState, type ReactNode } from "react";
+import { Anchor, Group, Box } from "@mantine/core";
+import type { Strategy, RequirementResult } from "../../api/types";
 import { useLabContext, useReadOnly, useView } from "../../lab/context";
 import { valueNamed } from "../../lab/metricPath";
 import { limitOf, requirementText, type LimitKind, type Requirement } from "../../lab/requirements";
@@ -15,9 +15,9 @@ import { Choice, Entry, EntryRow, Finder } from "../../ui/Entry";
 import ui from "../../ui/ui.module.css";
 import { formatInput, formatResult, prettyUnit } from "../../units/format";
 import { parseQuantity } from "../../units/quantity";
-import { LIMIT_WORDS, limitText, limitUnit, resultsOf, shownLimit } from "./judged";
-import { RequirementMark } from "./RequirementMarks";
+import { LIMIT_WORDS, limitText, limitUnit, resultsOf, shownLimit, RESULT_WORDS } from "./judged";
 import { Note } from "../../ui/Messages";
+import { Icon } from "../../ui/icons";
 
 /** As many as the service takes. */
 const MOST = 64;
@@ -202,5 +202,38 @@ function LimitEntry({ label, unit, value, onSet }: LimitEntryProps) {
         if (key === "Escape") setTyped(null);
       }}
     />
+  );
+}
+
+const SIGNS = { pass: "Check", fail: "X", uncertain: "AlertTriangle" } as const;
+
+/** Whether a number keeps what is required of it: a word and a sign, colour only repeats them. */
+export function RequirementMarks({ results }: { readonly results: readonly RequirementResult[] }) {
+  if (results.length === 0) return null;
+  return results.map((result, index) => <RequirementMark key={index} result={result} />);
+}
+
+export function RequirementMark({ result }: { readonly result: RequirementResult }) {
+  const figure = useCatalogues().figures.find(({ key }) => key === result.metric);
+  const limit = limitText(result, figure, result.baseline);
+  return (
+    <ResultMark result={result.result} title={`Required: ${limit}`}>
+      <span className="visually-hidden">, required {limit}</span>
+    </ResultMark>
+  );
+}
+
+interface MarkProps {
+  readonly result: RequirementResult["result"];
+  readonly title?: string;
+  readonly children?: ReactNode;
+}
+
+export function ResultMark({ result, title, children }: MarkProps) {
+  return (
+    <Box component="span" className={ui.mark ?? ""} mr="0.35rem" fz="xs" data-result={result} title={title}>
+      <Icon name={SIGNS[result]} size={12} stroke={2.4} /> {RESULT_WORDS[result]}
+      {children}
+    </Box>
   );
 }

@@ -6,6 +6,11 @@ import { limitOf, type Judged, type LimitKind, type Requirement } from "../../la
 import type { Result } from "../../lab/result";
 import type { Metric } from "../../server/metrics";
 import { formatInput, prettyUnit } from "../../units/format";
+import { useQueries, type UseQueryResult } from "@tanstack/react-query";
+import { useCallback, useMemo } from "react";
+import type { Compared } from "../../lab/compare";
+import type { PartShown } from "../../lab/resultView";
+import { judgedQuery } from "../../server/queries";
 
 interface Judgeable {
   readonly shown: Pick<Result, "runId">;
@@ -81,4 +86,42 @@ export function limitText(
   const { kind, value } = limitOf(requirement);
   const number = `${formatInput(shownLimit(kind, value, figure))} ${prettyUnit(limitUnit(kind, figure))}`.trim();
   return `${LIMIT_WORDS[kind]} ${number}${baseline === null ? "" : ` against ${baseline}`}`;
+}
+
+/** How the shown result, under a moving slider too, and those it is compared with keep the requirements. */
+export function useJudged(
+  part: PartShown | null,
+  { pins }: Compared,
+  requirements: readonly Requirement[],
+  baseline: StrategyId,
+): Judged {
+  const shown = part?.shown;
+  const asked = useMemo(() => {
+    const results = shown && requirements.length > 0 ? [shown, ...pins.map((pin) => pin.shown)] : [];
+    const runs = results.flatMap(({ runId, summaries }) =>
+      runId === null ? [] : [[runId, baseline in summaries ? baseline : null] as const],
+    );
+    return [...new Map(runs)];
+  }, [shown, pins, requirements, baseline]);
+  const here = useMemo(
+    () =>
+      shown?.over === null && requirements.length > 0
+        ? { [shown.runId ?? ""]: judgedHere(shown.summaries, requirements, baseline) }
+        : {},
+    [shown, requirements, baseline],
+  );
+  const stored = useQueries({
+    queries: asked.map(([run, base]) => judgedQuery(run, requirements, base)),
+    combine: useCallback(
+      (results: readonly UseQueryResult<readonly RequirementResult[]>[]): Judged =>
+        Object.fromEntries(
+          asked.flatMap(([run], index) => {
+            const data = results[index]?.data;
+            return data === undefined ? [] : [[run, data]];
+          }),
+        ),
+      [asked],
+    ),
+  });
+  return useMemo(() => ({ ...here, ...stored }), [here, stored]);
 }

@@ -6,10 +6,10 @@ import type { Group } from "../../scenario/schema";
 import { isNotFound } from "../../api/problem";
 import { useItems } from "../../scenario/library";
 import type { ScenarioSource, PageScenario } from "./scenarioSource";
-import { LabLink } from "../../ui/LabLink";
 import { otherThanPaper } from "./otherThanPaper";
 import { Note } from "../../ui/Messages";
 import { Choice } from "../../ui/Entry";
+import { LabLink } from "../../ui/openInLab";
 
 const valueOf = ({ run, own, preset = "" }: ScenarioSource) =>
   run !== undefined ? "run" : own !== undefined ? `own ${own}` : `preset ${preset}`;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Catalogue, Run, Summary } from "../../api/types";
 import { metricsOf } from "../../server/metrics";
-import { compareRuns } from "./DifferencesCard";
+import { compareRuns } from "./SharedBanner";
 
 const quantity = (key: string, label: string, unit = "1") => ({
   key,

@@ -7,9 +7,9 @@ import { explain } from "../../api/problem";
 import type { NewLink } from "../../api/types";
 import { copyWhenThere, useCopied } from "../../ui/useCopied";
 import { useAction, useActionButton } from "../../lab/actions";
-import { compact } from "../../ui/compact";
 import classes from "./share.module.css";
 import { Note } from "../../ui/Messages";
+import { compact } from "../../ui/IconButton";
 
 type Outcome =
   | { readonly kind: "making" }
@@ -125,6 +125,25 @@ function LinkField({ url }: { readonly url: string }) {
           {copied ? <Icon name="Check" size={15} /> : <Icon name="Copy" size={15} />}
         </ActionIcon>
       }
+    />
+  );
+}
+
+interface ShareAddressProps {
+  /** What is shown, such as `study`. */
+  readonly what: string;
+  readonly ready: boolean;
+  /** By default the page's own. */
+  readonly path?: string;
+}
+
+/** Shares a page that an address says all of. */
+export function ShareAddress({ what, ready, path }: ShareAddressProps) {
+  return (
+    <ShareLink
+      make={() => Promise.resolve({ url: path ?? window.location.href })}
+      obstacle={ready ? null : `There is no ${what} to share yet`}
+      opens={`It opens this ${what}, for anyone who reaches this server.`}
     />
   );
 }

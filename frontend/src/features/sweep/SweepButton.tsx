@@ -7,8 +7,8 @@ import { Icon } from "../../ui/icons";
 import { lazy } from "react";
 import { useAction, useActionButton } from "../../lab/actions";
 import { useForm, useStrategies } from "../../server/useCatalogues";
-import { compact } from "../../ui/compact";
 import { LazyPart } from "../../ui/LazyPart";
+import { compact } from "../../ui/IconButton";
 
 const SweepDialog = lazy(() => import("./SweepDialog").then((module) => ({ default: module.SweepDialog })));
 

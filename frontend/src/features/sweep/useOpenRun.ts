@@ -2,7 +2,7 @@
 
 import { api } from "../../api/client";
 import type { Batch, JsonValue } from "../../api/types";
-import { useRunInLab, type RunInLab } from "../../ui/useOpenInLab";
+import { useRunInLab, type RunInLab } from "../../ui/openInLab";
 import { withFields } from "../../scenario/fields";
 
 export interface RunAtValues {

@@ -14,9 +14,9 @@ import { ChangeText, Estimated, CaveatMark } from "./ChangeMark";
 import { useLabContext } from "../../lab/context";
 import { caveatsOf } from "./caveats";
 import { StrategyKey, StrategyName } from "../../ui/StrategyKey";
-import { RequirementMarks } from "../requirements/RequirementMarks";
 import { requiredOf } from "../requirements/judged";
 import { UnstyledButton } from "@mantine/core";
+import { RequirementMarks } from "../requirements/RequirementsCard";
 
 export interface ComparisonProps {
   readonly resultView: ResultView;

@@ -13,8 +13,8 @@ import classes from "./tables.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { ManualLink } from "../../ui/ManualLink";
 import ui from "../../ui/ui.module.css";
-import { RequirementMarks } from "../requirements/RequirementMarks";
 import { requiredOf } from "../requirements/judged";
+import { RequirementMarks } from "../requirements/RequirementsCard";
 
 type Value = number | boolean | null | undefined;
 

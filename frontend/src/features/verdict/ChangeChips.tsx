@@ -12,11 +12,11 @@ import { useLabels } from "../../server/labels";
 import { VIEWS, changeBetween, comparedMetrics } from "../tables/entries";
 import { metricName, type WindowMetric } from "../../lab/metricPath";
 import { requiredOf } from "../requirements/judged";
-import { RequirementMarks } from "../requirements/RequirementMarks";
 import { EqualSpeed, usePairedChanges } from "./VerdictLine";
 import classes from "./verdict.module.css";
 import ui from "../../ui/ui.module.css";
 import type { Change } from "../tables/change";
+import { RequirementMarks } from "../requirements/RequirementsCard";
 
 export function ChangeChips({ resultView }: { readonly resultView: ResultView }) {
   const words = useLabels();

@@ -6,7 +6,6 @@ import { useQuery } from "@tanstack/react-query";
 import { Link } from "@tanstack/react-router";
 import type { Strategy } from "../../api/types";
 import { useCompared, usePaired } from "../../features/compare/useCompared";
-import { useJudged } from "../../features/requirements/useJudged";
 import { endOffer, tourOffered } from "../../features/tour/offered";
 import { useActionButton } from "../../lab/actions";
 import { useLab, useView, useLabContext } from "../../lab/context";
@@ -21,6 +20,7 @@ import { titleOf } from "../../features/sweep/table";
 import { BATCH, jobQuery } from "../../jobs/useJob";
 import { parseSearch } from "../../lab/address";
 import { useSelector } from "@tanstack/react-store";
+import { useJudged } from "../../features/requirements/judged";
 
 /** Under a moving slider curves are drawn between the parts of what follows from this. */
 function useDeferredWhile<Value>(isLive: boolean, newest: Value): Value {

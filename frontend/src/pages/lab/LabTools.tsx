@@ -4,7 +4,6 @@ import { useAction, useActionButton, usePaletteEntries, type PaletteEntry } from
 import { Icon } from "../../ui/icons";
 import { ExportMenu } from "../../features/export/ExportMenu";
 import { LibraryButton } from "../../features/library/LibraryButton";
-import { ShareRun } from "../../features/share/ShareRun";
 import { SweepButton } from "../../features/sweep/SweepButton";
 import { endOffer } from "../../features/tour/offered";
 import { IconButton } from "../../ui/IconButton";
@@ -12,14 +11,20 @@ import { LazyPart } from "../../ui/LazyPart";
 import classes from "../../ui/shell.module.css";
 import { StatusLine } from "./StatusLine";
 import { useLabContext, useLab } from "../../lab/context";
-import { hasInvalidInput } from "../../lab/labState";
+import { hasInvalidInput, type LabState } from "../../lab/labState";
 import { revealed } from "../../lab/reveal";
 import { sweepFields } from "../../scenario/fields";
 import { optionTitle } from "../../scenario/schema";
 import { useLabStrategies } from "../../lab/recordings";
 import { useForm, usePresets } from "../../server/useCatalogues";
-import { useSelected } from "./StrategyChoice";
 import { lazy, useState } from "react";
+import { useSelected } from "./Toolbar";
+import { ask } from "../../api/http";
+import { useCompared } from "../../features/compare/useCompared";
+import { cursor } from "../../lab/cursor";
+import { makeResultView } from "../../lab/resultView";
+import { viewToShare } from "../../lab/sharing";
+import { ShareLink } from "../../features/share/ShareLink";
 
 const Tour = lazy(() => import("../../features/tour/Tour").then((module) => ({ default: module.Tour })));
 
@@ -85,4 +90,38 @@ export function LabActions() {
       </LazyPart>
     )
   );
+}
+
+const OPENS =
+  "It opens this scenario with these results, strategies, comparison, zoom, cursor, instant and pins, for anyone who has the link. It is read-only.";
+
+function obstacleOf({ failure, shown, stale, serverErrors }: LabState): string | null {
+  if (failure?.kind === "unreachable") return "The server does not answer";
+  if (failure?.kind === "notFound") return "There is no result here";
+  if (failure || Object.keys(serverErrors.fields).length + serverErrors.general.length > 0)
+    return "These values could not be run";
+  if (shown?.source !== "exact" || stale) return "There is no result of these values yet";
+  return null;
+}
+
+/** Shares what the dashboard shows. */
+function ShareRun() {
+  const { lab, labAddress } = useLabContext();
+  const obstacle = useLab(obstacleOf);
+  const catalogue = useLabStrategies();
+  const compared = useCompared();
+  const make = () => {
+    const { shown, strategies } = lab.get();
+    if (!shown?.runId) return Promise.reject(new Error("there is no result"));
+    const { view } = labAddress.get();
+    const resultView = makeResultView(shown, catalogue, strategies, view, compared);
+    return ask("post", "/links", {
+      body: {
+        run_id: shown.runId,
+        view: viewToShare(resultView, cursor.get(resultView.axis), view.instant),
+        requirements: view.requirements,
+      },
+    });
+  };
+  return <ShareLink make={make} obstacle={obstacle} opens={OPENS} />;
 }

@@ -8,7 +8,6 @@ import { PlotGrid, RoadStrip, useShownCurves } from "../../plots/PlotGrid";
 import { useLabContext, useLab } from "../../lab/context";
 import { simulatedPart, type ResultView } from "../../lab/resultView";
 import { LazyPart } from "../../ui/LazyPart";
-import { Blank, CouldNotLoad } from "../../ui/Blank";
 import classes from "../../ui/shell.module.css";
 import plots from "../../plots/plots.module.css";
 import {
@@ -27,6 +26,7 @@ import { useCatalogue } from "../../server/useCatalogues";
 import { getAt } from "../../scenario/path";
 import { useCurves } from "../../plots/useDetail";
 import { Note } from "../../ui/Messages";
+import { Blank, CouldNotLoad } from "../../ui/Page";
 
 interface Props {
   readonly strategies: readonly Strategy[];

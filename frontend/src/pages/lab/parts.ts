@@ -2,9 +2,9 @@
 
 import "../../ui/mantine.css";
 
-export { FrequencyPart } from "../../features/frequency/FrequencyPart";
-export { FuzzyPart } from "../../features/fuzzy/FuzzyPart";
-export { InstantPart } from "../../features/instant/InstantPart";
+export { FrequencyPart } from "./Panels";
+export { FuzzyPart } from "./Panels";
+export { InstantPart } from "./Panels";
 export { CarView } from "../../features/car/CarView";
 export { DropFiles } from "../../features/library/OpenFiles";
 export { RequirementsCard } from "../../features/requirements/RequirementsCard";

@@ -4,7 +4,7 @@ import { Anchor, Box, Button, Group, Progress, Stack, Text } from "@mantine/core
 import { Icon } from "../../ui/icons";
 import { api } from "../../api/client";
 import type { Paper, PaperCell, PaperInterpretation } from "../../api/types";
-import { useRunInLab } from "../../ui/useOpenInLab";
+import { useRunInLab } from "../../ui/openInLab";
 import { count, formatWhole } from "../../units/format";
 import classes from "./paper.module.css";
 import {

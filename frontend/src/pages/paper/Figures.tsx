@@ -12,7 +12,6 @@ import type { Choices } from "./choices";
 import { typeset } from "./numbers";
 import { attributionQuery, paperFiguresQuery } from "./queries";
 import { useVisible, Fault, Waiting } from "./Waiting";
-import columns from "../../ui/columns.module.css";
 import ui from "../../ui/ui.module.css";
 import { Columns } from "../../ui/Card";
 
@@ -49,7 +48,7 @@ export function Figures({ choices }: { readonly choices: Choices }) {
         ]}
         onChange={setRange}
       />
-      <Columns className={columns.pairs ?? ""}>
+      <Columns className={ui.pairs ?? ""}>
         {data.map((figure) => (
           <Panel key={figure.number} figure={figure} scheme={scheme} bumpOnly={range === "bump"} />
         ))}

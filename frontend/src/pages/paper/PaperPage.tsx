@@ -24,10 +24,10 @@ import { Tables } from "./Tables";
 import { Fault, Waiting } from "./Waiting";
 import { useLabels, type Labels } from "../../server/labels";
 import { FileMenu } from "../../features/export/FileMenu";
-import { ShareAddress } from "../../features/share/ShareAddress";
 import ui from "../../ui/ui.module.css";
 import contents from "./contents.module.css";
 import { VerdictBar, countedOf, soFar } from "./Verdict";
+import { ShareAddress } from "../../features/share/ShareLink";
 
 const DOI = "10.3390/wevj16040232";
 

@@ -12,7 +12,6 @@ import { quantile, type FigureSummary, type Margin, type StudyParts } from "./su
 import type { Opening } from "../../features/sweep/useOpenRun";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Card, Columns } from "../../ui/Card";
-import columns from "../../ui/columns.module.css";
 import ui from "../../ui/ui.module.css";
 import { Chart } from "../../plots/Chart";
 import { ChartButton } from "../../plots/FigureButton";
@@ -37,7 +36,7 @@ export function Spread({ summary, strategies, figures, opening }: Props) {
         Thin bars: 5 to 95 %. Thick ones: 25 to 75 %. Line: median. Diamond: nominal, the scenario itself. Circle: worst
         case.
       </Note>
-      <Columns className={columns.whole ?? ""} least="18rem" gap="0.4rem 1rem" p="0.3rem 1rem 0.8rem">
+      <Columns className={ui.whole ?? ""} least="18rem" gap="0.4rem 1rem" p="0.3rem 1rem 0.8rem">
         {shown.map((figure) => (
           <Intervals key={figure.key} {...{ summary, strategies, figure }} />
         ))}

@@ -7,7 +7,6 @@ import { Link, useParams } from "@tanstack/react-router";
 import { useMemo } from "react";
 import { Icon } from "../../ui/icons";
 import { BatchFiles } from "../../features/export/FileMenu";
-import { ShareAddress } from "../../features/share/ShareAddress";
 import { BatchState } from "../../features/sweep/SweepState";
 import { otherThanPaper } from "../../features/scenarioSource/otherThanPaper";
 import { BATCH, useJob } from "../../jobs/useJob";
@@ -16,7 +15,8 @@ import { uncertaintiesQuery } from "../../server/queries";
 import { useCatalogues } from "../../server/useCatalogues";
 import { StudyForm } from "./StudyForm";
 import { StudyResults } from "./StudyResults";
-import { compact } from "../../ui/compact";
+import { compact } from "../../ui/IconButton";
+import { ShareAddress } from "../../features/share/ShareLink";
 
 export function StudyPage() {
   const { id } = useParams({ from: "/robustness/$id" });

@@ -16,7 +16,6 @@ import { AIRBORNE, summaryQuery, TRAVEL, quantile, type Margin, type StudyParts 
 import { useOpenRun } from "../../features/sweep/useOpenRun";
 import { Fault, Note } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
-import { Loading } from "../../ui/Blank";
 import { Icon } from "../../ui/icons";
 import { formatPercent } from "../../features/tables/change";
 import { StrategyName } from "../../ui/StrategyKey";
@@ -24,6 +23,7 @@ import classes from "./robustness.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Choice, labelled } from "../../ui/Entry";
 import { Card } from "../../ui/Card";
+import { Loading } from "../../ui/Page";
 
 /** Fewer finished points are no spread to look at. */
 const LEAST_POINTS = 10;

@@ -5,7 +5,6 @@ import { useMemo } from "react";
 import type { Link, Batch, SharedView } from "../../api/types";
 import { BATCH, useJob } from "../../jobs/useJob";
 import { markersOf } from "../../plots/markers";
-import { LabLink } from "../../ui/LabLink";
 import { Page } from "../../ui/Page";
 import { useCatalogues, useStrategies } from "../../server/useCatalogues";
 import { BatchResults } from "./SweepResults";
@@ -18,6 +17,7 @@ import { useBatchView, useSharedView, type BatchView } from "./view";
 import { ask } from "../../api/http";
 import { BatchFiles } from "../../features/export/FileMenu";
 import { ShareLink } from "../../features/share/ShareLink";
+import { LabLink } from "../../ui/openInLab";
 
 export function SweepPage() {
   const { id } = useParams({ from: "/b/$id" });

@@ -31,8 +31,8 @@ import { inShownUnit } from "../../scenario/limits";
 import { sweepFields } from "../../scenario/fields";
 import { Button } from "@mantine/core";
 import { limitText } from "../../features/requirements/judged";
-import { ResultMark } from "../../features/requirements/RequirementMarks";
 import { DataTable, type Column } from "../../ui/DataTable";
+import { ResultMark } from "../../features/requirements/RequirementsCard";
 
 interface Props extends Pick<SweepParts, "batch" | "strategies" | "markers" | "figures" | "view" | "onView"> {
   readonly form: Group;

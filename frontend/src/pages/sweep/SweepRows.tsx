@@ -16,7 +16,6 @@ import {
   type Cell,
   type Columns,
 } from "../../features/sweep/table";
-import { ResultMark } from "../../features/requirements/RequirementMarks";
 import { caveatsOfRow } from "./describeRow";
 import { Card } from "../../ui/Card";
 import { DataTable, type Column } from "../../ui/DataTable";
@@ -24,6 +23,7 @@ import ui from "../../ui/ui.module.css";
 import { CaveatMark } from "../../features/tables/ChangeMark";
 import { useCatalogue } from "../../server/useCatalogues";
 import type { SweepParts } from "./shownPlot";
+import { ResultMark } from "../../features/requirements/RequirementsCard";
 
 interface Props extends Pick<
   SweepParts,

@@ -7,13 +7,11 @@ import { api } from "../../api/client";
 import { download } from "../../lib/download";
 import { address, ask } from "../../api/http";
 import { FileMenu } from "../../features/export/FileMenu";
-import { ShareAddress } from "../../features/share/ShareAddress";
-import { compact } from "../../ui/compact";
 import { Icon } from "../../ui/icons";
 import type { Trial, Tuning } from "../../api/types";
 import { TUNING, useJob } from "../../jobs/useJob";
 import { Page } from "../../ui/Page";
-import { useRunInLab } from "../../ui/useOpenInLab";
+import { useRunInLab } from "../../ui/openInLab";
 import type { Catalogues } from "../../server/useCatalogues";
 import { ofLimit, ofObjective, useNumericCatalogues } from "./figures";
 import { ValidationTable } from "./ValidationTable";
@@ -29,6 +27,8 @@ import { useQuery, keepPreviousData, queryOptions } from "@tanstack/react-query"
 import { SearchCard } from "./SearchCard";
 import { Choice } from "../../ui/Entry";
 import { Card } from "../../ui/Card";
+import { compact } from "../../ui/IconButton";
+import { ShareAddress } from "../../features/share/ShareLink";
 
 /** What weights are looked at beside. */
 const BESIDE = ["lqr", "passive"];

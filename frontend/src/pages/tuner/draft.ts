@@ -3,7 +3,6 @@
 import type { StrategyId, TuningChoice } from "../../api/types";
 import type { Metric } from "../../server/metrics";
 import { NO_RANGE, parseTyped, typedText } from "../../scenario/limits";
-import { OWN } from "../../scenario/ownOptions";
 import type { Group } from "../../scenario/schema";
 import { isLike } from "../../lib/storage";
 import type { DraftErrors, FieldNameOf } from "../../features/jobForm/problems";
@@ -11,6 +10,7 @@ import { formatInput, parseInput } from "../../units/format";
 import { parseQuantity } from "../../units/quantity";
 import { readSeeds } from "./seeds";
 import { isTunable, numberFields, tunableOf, type TunableNumber } from "./space";
+import { OWN } from "../../scenario/differences";
 
 export type ObjectiveKind = "paper" | "peaks" | "figure";
 

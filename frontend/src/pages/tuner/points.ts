@@ -1,7 +1,7 @@
 /** The sets of weights a tuning is about: the paper's, the scenario's own, the best ones. */
 
 import type { Trial, Tuning } from "../../api/types";
-import type { RunInLab } from "../../ui/useOpenInLab";
+import type { RunInLab } from "../../ui/openInLab";
 import type { ShownNumber } from "./figures";
 import type { Tunable } from "./space";
 

@@ -1,7 +1,6 @@
 /** What of a strategy can be tuned, as backend/tunings/space.py has it; names, units and limits are the form's. */
 
 import type { Scenario, Strategy, StrategyId, Tuning, Weights } from "../../api/types";
-import { OWN } from "../../scenario/ownOptions";
 import { getAt, type Pointer } from "../../scenario/path";
 import {
   findMember,
@@ -14,6 +13,7 @@ import {
 import { dotted, pointerOf } from "../../scenario/fields";
 import { typedText, valueText } from "../../scenario/limits";
 import { titleWithUnit } from "../../units/format";
+import { OWN } from "../../scenario/differences";
 
 interface Space {
   readonly triples: readonly Pointer[];

@@ -1,15 +1,40 @@
-/** Opens the panel that says why a force, here; its code is fetched when somebody first asks. */
+/** Panels whose code is fetched when somebody first asks for them. */
 
-import { lazy, useEffect } from "react";
-import { useAction } from "../../lab/actions";
-import type { Axis, InstantPlace, Zoom } from "../../lab/address";
+import { useDisclosure } from "@mantine/hooks";
+import { lazy, useEffect, useRef } from "react";
+import { useAction, useActionButton } from "../../lab/actions";
 import { useLabContext, useView } from "../../lab/context";
-import { cursor } from "../../lab/cursor";
-import { axisKey, type ResultView } from "../../lab/resultView";
-import { valueAt } from "../../lib/samples";
+import { type ResultView, axisKey } from "../../lab/resultView";
 import { LazyPart } from "../../ui/LazyPart";
+import type { Axis, InstantPlace, Zoom } from "../../lab/address";
+import { cursor } from "../../lab/cursor";
+import { valueAt } from "../../lib/samples";
+import { Button } from "@mantine/core";
+import { Card } from "../../ui/Card";
 
-const InstantPanel = lazy(() => import("./InstantPanel").then((module) => ({ default: module.InstantPanel })));
+const FuzzyPanel = lazy(() =>
+  import("../../features/fuzzy/FuzzyPanel").then((module) => ({ default: module.FuzzyPanel })),
+);
+
+export function FuzzyPart({ resultView }: { readonly resultView: ResultView }) {
+  const { labAddress } = useLabContext();
+  const { instant } = useView();
+  const [opened, { open, close }] = useDisclosure(false);
+  useAction("fuzzy", () => {
+    labAddress.setView({ instant: null }); // it has the same place
+    open();
+  });
+  if (!opened || instant !== null) return null;
+  return (
+    <LazyPart onClose={close}>
+      <FuzzyPanel resultView={resultView} onClose={close} />
+    </LazyPart>
+  );
+}
+
+const InstantPanel = lazy(() =>
+  import("../../features/instant/InstantPanel").then((module) => ({ default: module.InstantPanel })),
+);
 
 /** From one axis to the other along a strategy's drive; `null` beside it. */
 export function converted({ series }: ResultView, strategy: string, x: number, from: Axis, to: Axis): number | null {
@@ -57,5 +82,38 @@ export function InstantPart({ resultView }: { readonly resultView: ResultView })
     <LazyPart onClose={() => labAddress.setView({ instant: null })}>
       <InstantPanel {...{ resultView, strategy, placeAt }} />
     </LazyPart>
+  );
+}
+
+const FrequencyCard = lazy(() =>
+  import("../../features/frequency/FrequencyCard").then((module) => ({ default: module.FrequencyCard })),
+);
+
+export function FrequencyPart(props: { readonly resultView: ResultView }) {
+  const [opened, { toggle }] = useDisclosure(false);
+  const part = useRef<HTMLDivElement>(null);
+  useAction("frequencies", () => {
+    toggle();
+    if (!opened) part.current?.scrollIntoView({ block: "center" });
+  });
+  const { onClick, disabled } = useActionButton("frequencies");
+  return (
+    <div ref={part} data-unprinted={!opened || undefined}>
+      <Card
+        aria-label="Frequencies"
+        title="Frequencies: responses, modes and margins"
+        tools={
+          <Button size="compact-sm" variant="default" aria-expanded={opened} {...{ onClick, disabled }}>
+            {opened ? "Hide" : "Show"}
+          </Button>
+        }
+      >
+        {opened && (
+          <LazyPart>
+            <FrequencyCard {...props} />
+          </LazyPart>
+        )}
+      </Card>
+    </div>
   );
 }

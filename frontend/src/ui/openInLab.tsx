@@ -1,9 +1,10 @@
 /** From another page to a run in the lab, which leads back to that page. */
 
 import { useMutation } from "@tanstack/react-query";
-import { useRouter, type NavigateOptions } from "@tanstack/react-router";
-import { useCallback } from "react";
+import { useRouter, type NavigateOptions, Link } from "@tanstack/react-router";
+import { useCallback, type ReactNode } from "react";
 import { explain } from "../api/problem";
+import { Anchor, type MantineSize } from "@mantine/core";
 
 interface Run {
   readonly id: string;
@@ -53,4 +54,25 @@ export function navigateIfStillHere(pages: Pages) {
     if (pages.latestLocation.pathname === pathname) void pages.navigate(address);
   };
   return { href, go };
+}
+
+interface Props {
+  readonly run?: string | undefined;
+  readonly size?: MantineSize;
+  readonly children: ReactNode;
+}
+
+/** To a run in the lab; without one to the lab as it was left. */
+export function LabLink({ run, size = "xs", children }: Props) {
+  return (
+    <Anchor
+      {...{ size }}
+      underline="always"
+      renderRoot={(props) =>
+        run === undefined ? <Link to="/" {...props} /> : <Link to="/r/$id" params={{ id: run }} {...props} />
+      }
+    >
+      {children}
+    </Anchor>
+  );
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { isPressed } from "./keys";
+import { isPressed } from "./Keyboard";
 
 const press = (key: string, ...held: readonly ("ctrlKey" | "metaKey" | "shiftKey" | "altKey")[]) => ({
   key,

@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import type { FrequencyAnswer, Strategy } from "../../api/types";
 import { PALETTES } from "../../plots/palettes";
-import { frequencyFigures } from "./figures";
+import { frequencyFigures } from "./FrequencyCard";
 
 const result = (magnitude: number[] | null): FrequencyAnswer["strategies"][string] => ({
   ...{ speed: 10, modes: null, margins: null, bands: null, reason: null },

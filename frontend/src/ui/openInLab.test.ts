@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { navigateIfStillHere } from "./useOpenInLab";
+import { navigateIfStillHere } from "./openInLab";
 
 function browser() {
   const at = (href: string) => ({ href, pathname: href.split("?")[0] ?? "" });
