@@ -15,7 +15,9 @@ const [first, second] = FIELDS.filter(({ leaf }) => leaf.kind === "number").map(
 const again = (value: unknown): unknown => JSON.parse(JSON.stringify(value));
 
 describe("what the browser stores", () => {
+  const openTab = () => void vi.stubGlobal("sessionStorage", memoryStorage());
   beforeEach(() => void vi.stubGlobal("localStorage", memoryStorage()));
+  beforeEach(openTab);
   afterEach(() => void vi.unstubAllGlobals());
 
   it("is read again until it is removed, and ignored where it cannot be read", () => {
@@ -32,19 +34,20 @@ describe("what the browser stores", () => {
     expect([of("A"), of("B")]).toEqual([7, null]);
   });
 
-  it("stays where a form was edited after it was submitted, here or in another tab", () => {
-    const open = () => {
-      let opened: Draft<number> | undefined;
-      const Form = () =>
-        void (opened = useDraft({
-          name: "tuning",
-          initial: () => 0,
-          restore: (stored) => (typeof stored === "number" ? stored : null),
-        }));
-      renderToString(createElement(Form));
-      if (!opened) throw new Error("not rendered");
-      return opened;
-    };
+  const open = () => {
+    let opened: Draft<number> | undefined;
+    const Form = () =>
+      void (opened = useDraft({
+        name: "tuning",
+        initial: () => 0,
+        restore: (stored) => (typeof stored === "number" ? stored : null),
+      }));
+    renderToString(createElement(Form));
+    if (!opened) throw new Error("not rendered");
+    return opened;
+  };
+
+  it("stays where a form was edited after it was submitted", () => {
     open().setDraft(7);
     const submitted = open();
     open().setDraft(8);
@@ -52,6 +55,20 @@ describe("what the browser stores", () => {
     expect(open()).toMatchObject({ draft: 8, isEdited: true });
     open().forget();
     expect(open()).toMatchObject({ draft: 0, isEdited: false });
+  });
+
+  it("is a tab's own, and what a new tab begins with", () => {
+    open().setDraft(7);
+    const here = sessionStorage;
+    openTab();
+    expect(open().draft).toBe(7);
+    open().setDraft(8);
+    vi.stubGlobal("sessionStorage", here);
+    expect(open().draft).toBe(7);
+    open().forget();
+    expect(open()).toMatchObject({ draft: 0, isEdited: false });
+    openTab();
+    expect(open().draft).toBe(8);
   });
 });
 

@@ -1,4 +1,4 @@
-/** A form's texts as somebody left them: stored until they are submitted or reset. */
+/** A form's texts as somebody left them: stored until they are submitted or reset. A tab keeps its own, a new one begins with the last. */
 
 import { useState } from "react";
 import { readStored, writeStored } from "./storage";
@@ -25,26 +25,38 @@ interface DraftOptions<Texts> {
 
 const keyOf = (name: string) => `ridelab-draft-${name.replace(" ", "-")}`;
 
+/** Undefined where there is none; `null` where the form was opened anew. */
+function storedIn(storage: "sessionStorage" | "localStorage", name: string, of: string): unknown {
+  const stored = readStored(keyOf(name), storage);
+  const isDraft = typeof stored === "object" && stored !== null && "of" in stored && "draft" in stored;
+  return isDraft && stored.of === of ? stored.draft : undefined;
+}
+
 export function restoreDraft<Texts>({
   name,
   of = "",
   restore,
 }: Pick<DraftOptions<Texts>, "name" | "of" | "restore">): Texts | null {
-  const stored = readStored(keyOf(name));
-  return typeof stored === "object" && stored !== null && "of" in stored && stored.of === of && "draft" in stored
-    ? restore(stored.draft)
-    : null;
+  const own = storedIn("sessionStorage", name, of);
+  const draft = (own === undefined ? storedIn("localStorage", name, of) : own) ?? null;
+  return draft === null ? null : restore(draft);
 }
+
+const isSame = (one: unknown, other: unknown) => JSON.stringify(one) === JSON.stringify(other);
 
 export function useDraft<Texts>({ name, of = "", initial, restore }: DraftOptions<Texts>): Draft<Texts> {
   const [stored, setStored] = useState(() => restoreDraft({ name, of, restore }));
   const [opening, setOpening] = useState(initial);
-  const remove = () => writeStored(keyOf(name), null);
+  const remove = () => {
+    writeStored(keyOf(name), { of, draft: null }, "sessionStorage");
+    if (isSame(storedIn("localStorage", name, of), stored)) writeStored(keyOf(name), null);
+  };
   return {
     draft: stored ?? opening,
     isEdited: stored !== null,
     setDraft: (next) => {
       setStored(next);
+      writeStored(keyOf(name), { of, draft: next }, "sessionStorage");
       writeStored(keyOf(name), { of, draft: next });
     },
     reset: () => {
@@ -53,7 +65,7 @@ export function useDraft<Texts>({ name, of = "", initial, restore }: DraftOption
       setOpening(initial());
     },
     forget: () => {
-      if (JSON.stringify(restoreDraft({ name, of, restore })) === JSON.stringify(stored)) remove();
+      if (isSame(restoreDraft({ name, of, restore }), stored)) remove();
     },
   };
 }
