@@ -1,9 +1,10 @@
-/** One's own scenarios, vehicles, roads and sets of requirements, and the presets: saved, opened, renamed, deleted, imported and exported. */
+/** One's own scenarios, vehicles, roads and sets of requirements, the presets and the vehicles with sources: saved, opened, renamed, deleted, imported and exported. */
 
-import { Box, Button, Group, Modal, Text, SegmentedControl, TextInput, Menu } from "@mantine/core";
-import { useState, useRef } from "react";
+import { Button, Group, Modal, Text, SegmentedControl, TextInput } from "@mantine/core";
+import { useState } from "react";
+import { useQuery } from "@tanstack/react-query";
 import claims from "../../../../examples/paper-claims.json";
-import type { Preset, JsonObject, Requirement } from "../../api/types";
+import type { Preset, JsonObject } from "../../api/types";
 import type { Group as Form } from "../../scenario/schema";
 import {
   type Item,
@@ -15,7 +16,9 @@ import {
   cleanName,
 } from "../../scenario/library";
 import ui from "../../ui/ui.module.css";
+import type { Content } from "../../scenario/withItem";
 import { useOpenItem, notice, useExportItem } from "./open";
+import { OwnItems, Titled } from "./OwnItems";
 import { OpenFiles } from "./OpenFiles";
 import { Template } from "./Template";
 import { changedFields, changesText, completed } from "../../scenario/differences";
@@ -23,17 +26,19 @@ import { sameValue } from "../../scenario/path";
 import { useEdit, useScenario, useView } from "../../lab/context";
 import { formatMinute } from "../../units/dates";
 import { Fault } from "../../ui/Messages";
-import { requirementsIn, requirementsText } from "../../lab/requirements";
-import { MoreMenu, NameForm, submits } from "../../ui/ListEntry";
-import { count } from "../../units/format";
+import { vehiclesQuery } from "../../server/queries";
+import { submits } from "../../ui/ListEntry";
 
-const CLAIMS = {
+/** What there is for everybody, and what it is or where it comes from. */
+type Provided = Content & { readonly id: string; readonly label: string; readonly description: string };
+
+const CLAIMS: Provided = {
   id: "paper-claims",
   label: "Requirements: what the paper claims",
   description:
     "What its abstract says LV changes against the suspension’s control alone, which has to be the baseline.",
-  kind: "requirements" as const,
-  value: { requirements: claims as readonly Requirement[] },
+  kind: "requirements",
+  value: { requirements: claims },
 };
 
 interface Props {
@@ -45,6 +50,19 @@ interface Props {
 
 export function LibraryDialog({ form, presets, saving, onClose }: Props) {
   const [deleted, setDeleted] = useState<Item | null>(null);
+  const { data: vehicles = [] } = useQuery(vehiclesQuery);
+  const provided: Readonly<Record<string, readonly Provided[]>> = {
+    Presets: [
+      ...presets.map(({ scenario, ...preset }) => ({ ...preset, kind: "scenario" as const, value: scenario })),
+      CLAIMS,
+    ],
+    Vehicles: vehicles.map(({ vehicle, sources, description, ...each }) => ({
+      ...each,
+      kind: "vehicle",
+      value: vehicle,
+      description: [description, ...sources].join(" "),
+    })),
+  };
   const openItem = useOpenItem();
   const open: typeof openItem = (item) => {
     onClose();
@@ -84,49 +102,19 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
       <OwnItems title="Your vehicles" kind="vehicle" {...{ form, open, remove }} />
       <OwnItems title="Your measured roads" kind="road" {...{ form, open, remove }} />
       <OwnItems title="Your sets of requirements" kind="requirements" {...{ form, open, remove }} />
-      <Box component="h3" m="1rem 0 0.3rem" fz="md" fw={650}>
-        Presets
-      </Box>
-      <ul className={ui.list} aria-label="Presets">
-        {[
-          ...presets.map(({ scenario, ...preset }) => ({ ...preset, kind: "scenario" as const, value: scenario })),
-          CLAIMS,
-        ].map(({ id, label, description, kind, value }) => (
-          <li key={id} className={ui.item}>
-            <button type="button" onClick={() => open({ kind, value })}>
-              <span className={ui.itemTitle}>{label}</span>
-              <span className={ui.under}>{description}</span>
-            </button>
-          </li>
-        ))}
-      </ul>
+      {Object.entries(provided).map(([title, items]) => (
+        <Titled key={title} title={title}>
+          {items.map(({ id, label, description, ...item }) => (
+            <li key={id} className={ui.item}>
+              <button type="button" onClick={() => open(item)}>
+                <span className={ui.itemTitle}>{label}</span>
+                <span className={ui.under}>{description}</span>
+              </button>
+            </li>
+          ))}
+        </Titled>
+      ))}
     </Modal>
-  );
-}
-
-interface ListProps {
-  readonly title: string;
-  readonly kind: ItemKind;
-  readonly form: Form;
-  readonly open: (item: Item) => void;
-  readonly remove: (item: Item) => void;
-}
-
-function OwnItems({ title, kind, ...row }: ListProps) {
-  const items = useItems(kind);
-  const [renamed, setRenamed] = useState<string | null>(null);
-  if (items.length === 0) return null;
-  return (
-    <>
-      <Box component="h3" m="1rem 0 0.3rem" fz="md" fw={650}>
-        {title}
-      </Box>
-      <ul className={ui.list} aria-label={title}>
-        {items.map((item) => (
-          <ItemRow key={item.name} item={item} isRenamed={item.name === renamed} onRenamed={setRenamed} {...row} />
-        ))}
-      </ul>
-    </>
   );
 }
 
@@ -206,87 +194,5 @@ function SaveForm({ form, kind: first, onSaved }: SaveFormProps) {
       </Text>
       {wrong !== null && <Fault>{wrong}</Fault>}
     </Group>
-  );
-}
-
-interface ItemRowProps {
-  readonly item: Item;
-  readonly form: Form;
-  readonly open: (item: Item) => void;
-  readonly remove: (item: Item) => void;
-  /** It has just got its name: the focus is on its menu, as it was before. */
-  readonly isRenamed: boolean;
-  readonly onRenamed: (name: string) => void;
-}
-
-/** A scenario and a vehicle by what differs from the paper's. */
-function describe({ kind, value }: Item, form: Form): string {
-  if (kind === "road") {
-    const bumps = Array.isArray(value.bumps) ? value.bumps.length : 0;
-    return `${typeof value.length === "number" ? value.length : "?"} m, ${count(bumps, "bump")} in it`;
-  }
-  if (kind === "requirements") return requirementsText(requirementsIn(value.requirements)).replaceAll(";", "; ");
-  const paper = completed(form, {});
-  const scenario = kind === "scenario" ? value : { ...paper, vehicle: value };
-  return changesText(changedFields(form, paper, completed(form, scenario))) || "As in the paper";
-}
-
-function ItemRow({ item, form, open, remove, isRenamed, onRenamed }: ItemRowProps) {
-  const [isRenaming, setRenaming] = useState(false);
-  const menu = useRef<HTMLButtonElement>(null);
-  const exportItem = useExportItem();
-  const { name, saved } = item;
-  return (
-    <li className={ui.item}>
-      <button type="button" onClick={() => open(item)}>
-        <span className={ui.itemTitle}>{name}</span>
-        <span className={ui.under}>
-          {describe(item, form)} · {formatMinute(saved)}
-        </span>
-      </button>
-      <MoreMenu ref={menu} autoFocus={isRenamed} label={`Rename, export or delete ${name}`}>
-        <Menu.Item onClick={() => setRenaming(true)}>Rename</Menu.Item>
-        <Menu.Item onClick={() => void exportItem(item)}>Export as a file</Menu.Item>
-        <Menu.Item onClick={() => remove(item)}>Delete</Menu.Item>
-      </MoreMenu>
-      {isRenaming && (
-        <Rename
-          item={item}
-          onRenamed={onRenamed}
-          onClose={() => {
-            setRenaming(false);
-            menu.current?.focus();
-          }}
-        />
-      )}
-    </li>
-  );
-}
-
-interface RenameProps extends Pick<ItemRowProps, "item" | "onRenamed"> {
-  readonly onClose: () => void;
-}
-
-function Rename({ item, onRenamed, onClose }: RenameProps) {
-  const [wrong, setWrong] = useState<string | null>(null);
-  const rename = (name: string) => {
-    try {
-      ownLibrary.rename(item, name);
-      onRenamed(cleanName(name));
-      onClose();
-    } catch (error) {
-      setWrong(error instanceof Error ? error.message : String(error));
-    }
-  };
-  return (
-    <NameForm
-      name={item.name}
-      label="New name"
-      action="Rename"
-      longest={LONGEST_NAME}
-      error={wrong}
-      onSave={rename}
-      onClose={onClose}
-    />
   );
 }
