@@ -7,7 +7,7 @@ import { ManualLink } from "../../ui/ManualLink";
 import { useEdit, useReadOnly, useFromScenario, useLab } from "../../lab/context";
 import classes from "./editor.module.css";
 import { type Leaf, valueAt } from "../../scenario/differences";
-import { setAt, sameValue, type Pointer } from "../../scenario/path";
+import { getAt, setAt, sameValue, type Pointer } from "../../scenario/path";
 import { type Field, optionOf, optionTitle, optionValue, type ChoiceField } from "../../scenario/schema";
 import { Choice } from "../../ui/Entry";
 import type { JsonValue, Scenario } from "../../api/types";
@@ -149,16 +149,38 @@ export interface LeafState {
 
 export function useLeaf({ pointer, paperValue, readWith }: Leaf): LeafState {
   const value = useFromScenario((scenario) => valueAt(scenario, { pointer, paperValue }));
-  const isRead = useFromScenario(
-    (scenario) => readWith === undefined || valueAt(scenario, { ...readWith, paperValue: null }) === readWith.value,
+  const unread = useFromScenario((scenario) =>
+    readWith === undefined || valueAt(scenario, { ...readWith, paperValue: null }) === readWith.value
+      ? withoutEffect(scenario, pointer)
+      : `Read only with ${readWith.title}: ${optionTitle(readWith.value)}`,
   );
   const strategies = useStrategies();
   const hasOwnLaw = useLab((state) => strategies.some(({ id, own }) => own && state.strategies.includes(id)));
   const leaf = useValue(pointer, value, (scenario, next) => setAt(scenario, pointer, next));
   const changed = !sameValue(value, paperValue);
-  if (readWith === undefined || isRead || hasOwnLaw) return { ...leaf, changed };
-  const unread = `Read only with ${readWith.title}: ${optionTitle(readWith.value)}`;
-  return { ...leaf, changed, readOnly: true, unread };
+  return unread === null || hasOwnLaw ? { ...leaf, changed } : { ...leaf, changed, readOnly: true, unread };
+}
+
+/** Why the scenario's other values leave a field of the road without effect; `null` where they do not. */
+export function withoutEffect(scenario: Scenario, pointer: Pointer): string | null {
+  const isZero = (other: Pointer) => (getAt(scenario, other) ?? 0) === 0;
+  const isMeasured = typeof getAt(scenario, "/road/profile") === "string";
+  const isFiltered = getAt(scenario, "/estimation/kind") === "kalman";
+  const driven = "Without effect: the measured road is driven";
+  switch (pointer) {
+    case "/road/bump/spacing":
+      return getAt(scenario, "/road/bump/count") === 1 ? "Without effect on one bump" : null;
+    case "/road/bump/shape":
+      return getAt(scenario, "/road/bump/height") === 0 ? "Without effect at height 0" : null;
+    case "/road/roughness":
+      return isMeasured && !isFiltered && isZero("/mpc/expected_offset") && isZero("/mpc/expected_noise")
+        ? driven
+        : null;
+    case "/road/seed":
+      return isMeasured && !isFiltered && isZero("/mismatch/preview_noise") ? driven : null;
+    default:
+      return null;
+  }
 }
 
 type Written = (scenario: Scenario, next: JsonValue) => Scenario;

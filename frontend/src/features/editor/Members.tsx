@@ -148,7 +148,7 @@ function DataRow({ field }: { readonly field: DataField }) {
 }
 
 /** Long words may break, with a hyphen: the columns are narrow. */
-const breakable = (title: string) => title.replace(/\p{L}{9}(?=\p{L}{5})/gu, "$&\u00AD");
+const breakable = (title: string) => title.replace(/\p{L}{7}(?=\p{L}{5})/gu, "$&\u00AD");
 
 function WeightsMatrix({ vectors }: { readonly vectors: readonly VectorField[] }) {
   const titles = vectors[0]?.items.map((item) => item.title) ?? [];

@@ -97,7 +97,8 @@ function pageTitle(scenario: Scenario): string {
   const count = getAt(scenario, "/road/bump/count");
   const several = typeof count === "number" && count > 1 ? `${count} × ` : "";
   const kind = getAt(scenario, "/road/bump/shape") === "kerb" ? "kerb" : height > 0 ? "bump" : "pothole";
-  const obstacle = height === 0 ? "no bump" : `${several}${Math.abs(height * 1000).toFixed(0)} mm ${kind}`;
+  const plain = typeof getAt(scenario, "/road/profile") === "string" ? "measured road" : "no bump";
+  const obstacle = height === 0 ? plain : `${several}${Math.abs(height * 1000).toFixed(0)} mm ${kind}`;
   return `${obstacle}, ${from} → ${to} km/h · Ridelab`;
 }
 
