@@ -5,7 +5,7 @@ Workers import this: no web and no database here.
 
 import time
 from dataclasses import dataclass
-from typing import Self
+from typing import Literal, Self
 
 import numpy as np
 import orjson
@@ -16,8 +16,24 @@ from sim_core.controller_files import ControllerFileError
 from sim_core.errors import MissingRoadError, RidelabError, TooExpensiveError
 
 SOURCE = b'{"source":'  # begins the JSON of a controller of one's own
-OBJECTS = 1000  # what an outcome's own objects take, and a cache's entry [bytes]
+OBJECTS = 1500  # what an outcome's own objects take, and a cache's entry [bytes]
 JSON_OPTIONS = orjson.OPT_SERIALIZE_NUMPY
+
+
+Part = tuple[float, float] | Literal["bump"] | None
+
+
+@dataclass(frozen=True, slots=True)
+class Sampling:
+    """Which samples of a run's time histories are wanted, the same ones of all signals.
+
+    Attributes:
+        points: About how many.
+        part: From where to where the front axle is [m]; `bump` is with some road around it, None is the whole road.
+    """
+
+    points: int
+    part: Part = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,7 +49,7 @@ class Outcome:
         cacheable: Whether the scenario is to blame for a failure; else it is tried again next time.
         cached: Whether it was there, or being computed, before the request that got it.
         fallbacks: Control steps whose QP found no answer.
-        points: About how many samples `series` has; None where none were asked for.
+        sampling: Which samples `series` has; None where none were asked for.
         series: See `backend.runs.series`; None where none were asked for, or where it failed.
     """
 
@@ -45,11 +61,13 @@ class Outcome:
     cacheable: bool = True
     cached: bool = False
     fallbacks: float = 0.0
-    points: int | None = None
+    sampling: Sampling | None = None
     series: NDArray[np.float32] | None = None
 
     @classmethod
-    def refused(cls, key: str, strategy: str, error: RidelabError, begin: float, points: int | None = None) -> Self:
+    def refused(
+        cls, key: str, strategy: str, error: RidelabError, begin: float, sampling: Sampling | None = None
+    ) -> Self:
         """Of what the core refused; `begin` is when `time.perf_counter()` began."""
         content: JsonObject = {"reason": error.message}
         if isinstance(error, TooExpensiveError):
@@ -61,7 +79,7 @@ class Outcome:
             json=orjson.dumps(content),
             compute_ms=elapsed_ms(begin),
             cacheable=not isinstance(error, MissingRoadError | ControllerFileError),
-            points=points,
+            sampling=sampling,
         )
 
     @property

@@ -12,23 +12,32 @@ from sim_core.arrays import FloatArray
 from sim_core.catalogue import SIGNALS
 
 
+def no_columns(_: slice) -> Mapping[str, FloatArray]:
+    """Of time histories that are all there."""
+    return {}
+
+
 class Series(Mapping[str, FloatArray]):
     """Time histories, made when they are asked for: most runs are asked for their metrics alone.
 
     Args:
         shared: Signals as they are returned, all of one length.
-        columns: Gives the others, each with a row for every held command (n, samples + 1): its last sample is the value
-            before the next command, which the histories leave out.
+        columns: Gives the others of some held commands, each with a row for every command (n, each + 1): its last
+            sample is the value before the next command, which the histories leave out.
+        each: Samples of a held command.
     """
 
-    def __init__(self, shared: Mapping[str, FloatArray], columns: Callable[[], Mapping[str, FloatArray]]) -> None:
+    def __init__(
+        self, shared: Mapping[str, FloatArray], columns: Callable[[slice], Mapping[str, FloatArray]], each: int = 1
+    ) -> None:
         self._shared = shared
         self._make_columns = columns
+        self._each = each
         self._length = len(shared["time"])
 
     @cached_property
     def _columns(self) -> Mapping[str, FloatArray]:
-        return self._make_columns()
+        return self._make_columns(slice(0, -(-self._length // self._each)))
 
     def __getitem__(self, key: str) -> FloatArray:
         """The history of a signal (samples,), put together anew each time: long ones would take as much again."""
@@ -38,8 +47,7 @@ class Series(Mapping[str, FloatArray]):
         """A signal's samples from `start` up to before `end`."""
         if key in self._shared:
             return np.asarray(self._shared[key][start:end], dtype)
-        rows = self._columns[key]
-        each = rows.shape[1] - 1
+        rows, each = self._columns[key], self._each
         first = start // each
         return rows[first : -(-end // each), :-1].astype(dtype).ravel()[start - first * each : end - first * each]
 
@@ -47,12 +55,21 @@ class Series(Mapping[str, FloatArray]):
         """A signal at these samples alone."""
         if key in self._shared:
             return self._shared[key][samples]
-        rows = self._columns[key]
-        return rows[np.divmod(samples, rows.shape[1] - 1)]
+        return self._columns[key][np.divmod(samples, self._each)]
+
+    def of_commands(self, start: int, end: int) -> "Series":
+        """Of the held commands that the samples from `start` up to before `end` belong to; no other one's are made."""
+        first, last = start // self._each, -(-end // self._each)
+        samples = slice(first * self._each, last * self._each)
+
+        def columns(commands: slice) -> Mapping[str, FloatArray]:
+            return self._make_columns(slice(first + commands.start, first + commands.stop))
+
+        return Series({key: values[samples] for key, values in self._shared.items()}, columns, self._each)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """As its histories, put together."""
-        return type(self), ({key: self[key] for key in self}, dict)
+        return type(self), ({key: self[key] for key in self}, no_columns)
 
     def columns(self, key: str) -> FloatArray:
         """A signal with its values at both ends of every held command (n, samples + 1).

@@ -23,6 +23,7 @@ from backend.http.answers import (
 )
 from backend.http.routing import ComputingRoute, ScenarioRoute
 from backend.json_types import JsonObject
+from backend.outcome import Sampling
 from backend.requirements import Requirement, read
 from backend.runs.analysis import ControlAnalysis
 from backend.runs.curves import RunCurves
@@ -82,7 +83,8 @@ async def create_run(body: RunRequest, service: RunsService, client: Client) -> 
 async def live(body: models.LiveRequest, service: RunsService, client: Client) -> Response:
     """Figures and decimated time histories while somebody drags; nothing is stored."""
     binary = body.encoding == "binary"
-    content = await service.live(body.scenario, body.strategies, body.points, body.signals, client, binary=binary)
+    sampling = Sampling(body.points, body.part)
+    content = await service.live(body.scenario, body.strategies, sampling, body.signals, client, binary=binary)
     return content_answer(content, {}, BINARY if binary else MEDIA_TYPES["json"])
 
 

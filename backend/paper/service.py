@@ -10,6 +10,7 @@ from backend.cost.estimate import cost_of
 from backend.errors import BusyError
 from backend.gate import Gate
 from backend.job_run import JobRun
+from backend.outcome import Sampling
 from backend.paper import answers, claims, drawings, paper_rows
 from backend.paper.models import AttributionAnswer, PaperAnswer, PaperFigures, ReadingsAnswer
 from backend.paper.readings import DEFAULT, INTERPRETATIONS, READINGS
@@ -110,7 +111,7 @@ class Paper:
             TemporaryError: Too much is being computed.
         """
         peaks = await self._study(paper_rows.SPEEDS, roads, client)
-        results = await self.results.get(Scenario(), claims.STRATEGIES, client, points=HISTORY_POINTS)
+        results = await self.results.get(Scenario(), claims.STRATEGIES, client, sampling=Sampling(HISTORY_POINTS))
         return PaperFigures(figures=await asyncio.to_thread(drawings.all_figures, peaks, results))
 
     async def report(self, choices: Mapping[str, str], roads: range, client: str, *, compressed: bool) -> Report:

@@ -10,7 +10,7 @@ import orjson
 
 from backend import digest, own
 from backend.cost.affordable import simulate
-from backend.outcome import JSON_OPTIONS, Outcome, elapsed_ms
+from backend.outcome import JSON_OPTIONS, Outcome, Sampling, elapsed_ms
 from backend.runs.series import pack
 from sim_core import RidelabError, Scenario
 from sim_core.controller_files import ControllerFileError, source_of
@@ -18,29 +18,29 @@ from sim_core.scenario.recorded import recording_id
 from sim_core.strategies import strategy_named
 
 
-def compute_run(scenario: Scenario, keys: Mapping[str, str], points: int | None) -> dict[str, Outcome]:
+def compute_run(scenario: Scenario, keys: Mapping[str, str], sampling: Sampling | None) -> dict[str, Outcome]:
     """Simulate strategies one after the other, so that what they share is worked out once.
 
     Args:
         scenario: What to drive.
         keys: Of the results, by strategy.
-        points: About how many samples of each time history to return; None is no series at all.
+        sampling: Which samples of the time histories to return; None is no series at all.
     """
-    return {strategy: compute(scenario, strategy, key, points) for strategy, key in keys.items()}
+    return {strategy: compute(scenario, strategy, key, sampling) for strategy, key in keys.items()}
 
 
-def compute(scenario: Scenario, strategy: str, key: str, points: int | None = None) -> Outcome:
+def compute(scenario: Scenario, strategy: str, key: str, sampling: Sampling | None = None) -> Outcome:
     """Simulate one strategy; arguments as of `compute_run`."""
     begin = time.perf_counter()
     try:
         if key and own.is_own(strategy) and digest.result_key(scenario, strategy) != key:
             raise ControllerFileError("Its file was saved meanwhile: run it again")
-        return own.isolated(strategy, _compute, scenario, strategy, key, points)
+        return own.isolated(strategy, _compute, scenario, strategy, key, sampling)
     except RidelabError as error:
-        return Outcome.refused(key, strategy, error, begin, points)
+        return Outcome.refused(key, strategy, error, begin, sampling)
 
 
-def _compute(scenario: Scenario, strategy: str, key: str, points: int | None) -> Outcome:
+def _compute(scenario: Scenario, strategy: str, key: str, sampling: Sampling | None) -> Outcome:
     begin = time.perf_counter()
     result = simulate(scenario, strategy)
     source = source_of(strategy_named(strategy)) if recording_id(strategy) is None else None
@@ -53,6 +53,6 @@ def _compute(scenario: Scenario, strategy: str, key: str, points: int | None) ->
         json=json,
         compute_ms=elapsed_ms(begin),
         fallbacks=float(result.events["qp_fallbacks"] or 0),
-        points=points,
-        series=None if points is None else pack(result, points),
+        sampling=sampling,
+        series=None if sampling is None else pack(result, sampling),
     )

@@ -16,6 +16,7 @@ import orjson
 from backend.cost.affordable import simulate
 from backend.file_formats import FormatName
 from backend.json_types import JsonObject
+from backend.outcome import Sampling
 from backend.pieces import render_to, write_json
 from backend.runs import pins
 from backend.runs.series import ROWS, SamplingHints, SeriesArray, as_json, pack
@@ -105,7 +106,7 @@ def _driven(scenario: Scenario, name: str, points: int | None) -> Columns:
     if points is None:
         series = result.series
         return Columns(len(series["time"]), lambda key, start, end: series.between(key, start, end, np.float32))
-    array = pack(result, points)
+    array = pack(result, Sampling(points))
     return Columns(array.shape[1], lambda key, start, end: array[ROWS[key], start:end])
 
 

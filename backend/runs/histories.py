@@ -16,7 +16,7 @@ from backend.errors import CostLimitError, DamagedResultError, GoneError, Invali
 from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile, refused_where_full
 from backend.means_over_roads import seeded
-from backend.outcome import Outcome
+from backend.outcome import Outcome, Sampling
 from backend.own import is_own
 from backend.recordings.service import Recordings
 from backend.roads.service import MeasuredRoads
@@ -101,11 +101,11 @@ class Histories:
         async with self._pinned(scenario, keys, client) as pinned:
             if pinned is None:
                 await self._on_its_road(scenario, keys)
-                return await self.results.get(scenario, list(keys), client, points=points)
+                return await self.results.get(scenario, list(keys), client, sampling=Sampling(points))
             with self.gate.computing(client, 0.0):
                 arrays = await self.workers.call(pins.opened, pinned, _stages(stored), points, client=client)
         return {
-            item.strategy: replace(item, points=points, series=arrays[item.strategy])
+            item.strategy: replace(item, sampling=Sampling(points), series=arrays[item.strategy])
             for item in stored.shown
             if item.strategy in arrays
         }

@@ -10,7 +10,7 @@ from backend.compute.workers import Workers
 from backend.cost.estimate import costs_of
 from backend.gate import Gate
 from backend.metrics import CACHE, count_runs
-from backend.outcome import Outcome
+from backend.outcome import Outcome, Sampling
 from backend.recordings.service import Recordings
 from backend.roads.service import MeasuredRoads
 from backend.runs.compute_run import compute_run
@@ -23,10 +23,10 @@ Outcomes = dict[str, Outcome]  # by strategy
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Request:
-    """Who asks, for how many samples of the time histories (None for none), and each strategy's estimated cost [s]."""
+    """Who asks, for which samples of the time histories (None for none), and each strategy's estimated cost [s]."""
 
     client: str
-    points: int | None
+    sampling: Sampling | None
     costs: Mapping[str, float]
 
 
@@ -40,7 +40,7 @@ class ResultFinder:
     gate: Gate
     roads: MeasuredRoads
     recordings: Recordings
-    _in_progress: SharedComputations[tuple[str, int | None], Outcomes] = field(
+    _in_progress: SharedComputations[tuple[str, Sampling | None], Outcomes] = field(
         init=False, default_factory=SharedComputations
     )
 
@@ -50,14 +50,14 @@ class ResultFinder:
         names: Sequence[str],
         client: str,
         *,
-        points: int | None,
+        sampling: Sampling | None,
         costs: Mapping[str, float] | None = None,
     ) -> Outcomes:
-        """Each strategy's result, with about `points` samples of its time histories or (None) without them.
+        """Each strategy's result, with those samples of its time histories or (None) without them.
 
         Without them the store may have it; with them only memory or a worker. `costs` are as for `on_roads`.
         """
-        (outcomes,) = await self.on_roads([scenario], names, client, points=points, costs=costs)
+        (outcomes,) = await self.on_roads([scenario], names, client, sampling=sampling, costs=costs)
         return outcomes
 
     async def on_roads(
@@ -66,7 +66,7 @@ class ResultFinder:
         names: Sequence[str],
         client: str,
         *,
-        points: int | None,
+        sampling: Sampling | None,
         costs: Mapping[str, float] | None = None,
     ) -> list[Outcomes]:
         """Each strategy's result on each of several roads, which differ in their seed alone; idle workers share them.
@@ -80,10 +80,10 @@ class ResultFinder:
         """
         keys = digest.result_keys(roads, names)
         stored: Outcomes = {}
-        if points is None:
+        if sampling is None:
             unknown = [key for each in keys for key in each.values() if self.memory.get(key, None) is None]
             stored = await self.store.read(self.store.runs.load_results, unknown) if unknown else {}
-        available = [self._found(each, stored, points) for each in keys]
+        available = [self._found(each, stored, sampling) for each in keys]
         missing = [
             {name: key for name, key in each.items() if name not in there}
             for each, there in zip(keys, available, strict=True)
@@ -94,15 +94,15 @@ class ResultFinder:
         if costly:
             roads = [await self.recordings.on(await self.roads.on(road), costly) for road in roads]
             costs = costs or costs_of(roads[0], set(costly))  # which no seed changes
-            request = _Request(client=client, points=points, costs=costs)
+            request = _Request(client=client, sampling=sampling, costs=costs)
             with self.gate.computing(client, sum(costs[name] for name in costly)):
                 computed = await self._compute_roads(roads, missing, request)
             available = [there | new for there, new in zip(available, computed, strict=True)]
         return [{name: each[name] for name in names} for each in available]
 
-    def _found(self, keys: Mapping[str, str], stored: Outcomes, points: int | None) -> Outcomes:
+    def _found(self, keys: Mapping[str, str], stored: Outcomes, sampling: Sampling | None) -> Outcomes:
         """The results of one road that are in memory or (by key) stored."""
-        outcomes = {name: stored.get(key) or self.memory.get(key, points) for name, key in keys.items()}
+        outcomes = {name: stored.get(key) or self.memory.get(key, sampling) for name, key in keys.items()}
         return {name: outcome for name, outcome in outcomes.items() if outcome is not None}
 
     async def _compute_roads(
@@ -113,7 +113,7 @@ class ResultFinder:
 
         async def one(road: Scenario, keys: Mapping[str, str]) -> Outcomes:
             async with slots:
-                available = self._found(keys, {}, request.points)  # by now another request may have computed it
+                available = self._found(keys, {}, request.sampling)  # by now another request may have computed it
                 rest = {name: key for name, key in keys.items() if name not in available}
                 return available | (await self._compute(road, rest, request) if rest else {})
 
@@ -126,10 +126,10 @@ class ResultFinder:
 
     async def _compute(self, scenario: Scenario, missing: Mapping[str, str], request: _Request) -> Outcomes:
         """Join computations in progress; one worker computes the rest, so that shared work is done once."""
-        points = request.points
+        sampling = request.sampling
 
         def running_task(key: str) -> asyncio.Task[Outcomes] | None:
-            return self._in_progress.find(lambda other: other[0] == key and points in (None, other[1]))
+            return self._in_progress.find(lambda other: other[0] == key and sampling in (None, other[1]))
 
         tasks = {name: task for name, key in missing.items() if (task := running_task(key))}
         joined = set(tasks)
@@ -137,14 +137,14 @@ class ResultFinder:
         ours = {name: key for name, key in fresh.items() if not own.is_own(name)}
         for each in filter(None, (ours, *({name: fresh[name]} for name in fresh.keys() - ours.keys()))):
             computing = self._compute_fresh(scenario, each, request)  # somebody's own law may take its whole time
-            tasks |= dict.fromkeys(each, self._in_progress.begin([(key, points) for key in each.values()], computing))
+            tasks |= dict.fromkeys(each, self._in_progress.begin([(key, sampling) for key in each.values()], computing))
         outcomes = await self._in_progress.wait(set(tasks.values()))
         return {name: replace(outcomes[task][name], cached=name in joined) for name, task in tasks.items()}
 
     async def _compute_fresh(self, scenario: Scenario, fresh: Mapping[str, str], request: _Request) -> Outcomes:
         cost = sum(request.costs[name] for name in fresh)
         outcomes = await self.workers.call(
-            compute_run, scenario, fresh, request.points, client=request.client, cost=cost
+            compute_run, scenario, fresh, request.sampling, client=request.client, cost=cost
         )
         for outcome in outcomes.values():  # those without series too: until they are committed nothing else has them
             count_runs("interactive", outcome.status, fallbacks=outcome.fallbacks)

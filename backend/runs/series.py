@@ -16,9 +16,11 @@ from numpy.typing import NDArray
 from backend.cost.estimate import duration, samples
 from backend.csv_lines import MAX_LINES
 from backend.json_types import JsonObject
+from backend.outcome import Part, Sampling
 from sim_core import Scenario, StrategyResult
 from sim_core.catalogue import BUMP, SIGNALS
 from sim_core.kernel.binding import sample_marker
+from sim_core.result import Series
 from sim_core.scenario.recorded import recording_id
 from sim_core.strategies import strategies, strategy_named
 
@@ -35,19 +37,36 @@ def ordered_signals(signals: Iterable[str] | None) -> list[str]:
     return [key for key in SIGNALS if key in keys]
 
 
-def pack(result: StrategyResult, points: int | None = None) -> SeriesArray:
-    """A result's time histories as one array; about `points` samples, or all."""
-    series = result.series
+def pack(result: StrategyResult, sampling: Sampling | None = None) -> SeriesArray:
+    """A result's time histories as one array; those samples, or all."""
+    series = result.series if sampling is None else _part(result, sampling.part)
     count = len(series["time"])
-    if points is None or points >= count:
+    if sampling is None or sampling.points >= count:
         array = np.empty((len(SIGNALS), count), dtype=np.float32)
         for number, key in enumerate(SIGNALS):
             array[number] = series.between(key, 0, count)
         return array
     stages = SamplingHints.of((span.stage, span.start_time, span.end_time) for span in result.stages)
     one_by_one = (series.between(key, 0, count, np.float32) for key in SIGNALS)  # all of a long run take 130 MB
-    shown = shown_samples(series.between("time", 0, count, np.float32), one_by_one, points, stages)
+    shown = shown_samples(series.between("time", 0, count, np.float32), one_by_one, sampling.points, stages)
     return np.array([series.at(key, shown) for key in SIGNALS], dtype=np.float32)
+
+
+def _part(result: StrategyResult, part: Part) -> Series:
+    """The time histories of a part of the road, as `Sampling` has it; lines lead to one sample more on either side."""
+    if part == "bump":
+        bumps = (span for span in result.stages if span.stage == BUMP)
+        part = next((around(span.start_position, span.end_position) for span in bumps), None)
+    if part is None:
+        return result.series
+    position = result.series["position"]
+    first, last = np.searchsorted(position, part).tolist()
+    return result.series.of_commands(max(0, first - 1), min(len(position), last + 1))
+
+
+def around(start: float, end: float) -> tuple[float, float]:
+    """The bump with some road around it, of its two ends in time or on the road."""
+    return start - BEFORE * (end - start), end + AFTER * (end - start)
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,11 +85,7 @@ class SamplingHints:
     def of(cls, spans: Iterable[tuple[str, float, float]]) -> Self:
         """From each stage's name, start and end [s], in their order."""
         _, *later = listed = list(spans)
-        bumps = [
-            (start - BEFORE * (end - start), end + AFTER * (end - start))
-            for stage, start, end in listed
-            if stage == BUMP
-        ]
+        bumps = [around(start, end) for stage, start, end in listed if stage == BUMP]
         return cls(tuple(start for _, start, _ in later), bumps[0] if bumps else None)
 
 

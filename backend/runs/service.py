@@ -17,7 +17,7 @@ from backend.gate import Gate
 from backend.json_types import JsonObject
 from backend.means_over_roads import default_baseline, seeded
 from backend.metrics import CACHE
-from backend.outcome import Outcome
+from backend.outcome import Outcome, Sampling
 from backend.recordings.service import Recordings
 from backend.requirements import Requirement
 from backend.roads.service import MeasuredRoads
@@ -142,7 +142,7 @@ class Runs:
         self,
         scenario: Scenario,
         strategies: Iterable[str],
-        points: int,
+        sampling: Sampling,
         signals: Sequence[str] | None,
         client: str,
         *,
@@ -152,7 +152,7 @@ class Runs:
         names, scenario = ordered(strategies), await self.roads.with_length(scenario)
         costs = costs_of(scenario, names)
         self.gate.check_cost(sum(costs.values()))
-        outcomes = await self.results.get(scenario, names, client, points=points, costs=costs)
+        outcomes = await self.results.get(scenario, names, client, sampling=sampling, costs=costs)
         render = live_binary if binary else live_json
         return render(scenario, outcomes, ordered_signals(signals))
 
@@ -197,7 +197,7 @@ class Runs:
         costs: Mapping[str, float] | None = None,
     ) -> list[Outcome]:
         """Results road by road, as they are stored."""
-        results = await self.results.on_roads(seeded(scenario, roads), names, client, points=None, costs=costs)
+        results = await self.results.on_roads(seeded(scenario, roads), names, client, sampling=None, costs=costs)
         every = [each[name] for each in results for name in names]
         return [each if each.cacheable else replace(each, key=digest.uncacheable_key()) for each in every]
 

@@ -49,13 +49,12 @@ class Recording:
     trajectory: Trajectory
     first: int
 
-    def table(self) -> FloatArray:
+    def table(self, commands: slice) -> FloatArray:
         """The samples of each signal that are on record, as record.h orders them (10, commands, fine + 1).
 
         A row has those of a held command, from the value after the command has changed to that before it does again.
         """
-        loop = self.trajectory.loop
-        return self.car.sample(self.first, len(loop) - 1, loop)
+        return self.car.sample(self.first + commands.start, self.first + commands.stop, self.trajectory.loop)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -37,8 +37,8 @@ def evaluate(run: Run, windows: Windows, recorder: Recorder, recording: Recordin
     rough, whole = metrics["rough_road"], metrics["whole"]
     travel = max(whole["front_deflection"]["peak"], whole["rear_deflection"]["peak"])
 
-    def columns() -> Mapping[str, FloatArray]:
-        return dict(zip(METRIC_SIGNALS, recording.table()[-len(METRIC_SIGNALS) :], strict=True))
+    def columns(commands: slice) -> Mapping[str, FloatArray]:
+        return dict(zip(METRIC_SIGNALS, recording.table(commands)[-len(METRIC_SIGNALS) :], strict=True))
 
     return StrategyResult(
         strategy=controller.id,
@@ -77,7 +77,7 @@ def evaluate(run: Run, windows: Windows, recorder: Recorder, recording: Recordin
         stages=run.stages,
         travel_time=speed_profile.time_at(scenario.road.length),
         arrival_speed_kmh=arrival / KMH,
-        series=Series(excitation.series, columns),
+        series=Series(excitation.series, columns, recording.car.fine),
     )
 
 

@@ -15,7 +15,7 @@ from sim_core.errors import RidelabError
 from sim_core.metrics.sampled import Span as Times
 from sim_core.metrics.sampled import airborne_ms, comfort_metrics, stop_contact_ms, window_metrics
 from sim_core.recorded.alignment import Placement, correlations, place
-from sim_core.result import RecordingReport, Series, Span, StrategyResult
+from sim_core.result import RecordingReport, Series, Span, StrategyResult, no_columns
 from sim_core.scenario import Scenario
 from sim_core.scenario.parts import KMH
 from sim_core.scenario.recorded import LONGEST, PREFIX, REFERENCES, RecordedDrive
@@ -204,7 +204,7 @@ def _evaluated(scenario: Scenario, signals: Mapping[str, FloatArray], strategy: 
         stages=_stages([0.0, road.bump.start, bump_end, road.length], position, time),
         travel_time=whole[1] - whole[0] if whole and timed else nan,
         arrival_speed_kmh=arrival / KMH,
-        series=Series({key: values[on_road] for key, values in signals.items()}, dict),
+        series=Series({key: values[on_road] for key, values in signals.items()}, no_columns),
     )
 
 

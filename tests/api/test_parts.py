@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from backend import digest
 from backend.means_over_roads import seeded
 from backend.models import CachedFailure
-from backend.outcome import Outcome
+from backend.outcome import Outcome, Sampling
 from backend.runs.result_cache import ResultCache
 from sim_core import STRATEGIES, Hil, Lqr, Mpc, Road, Scenario
 
@@ -82,7 +82,9 @@ def test_equal_numbers_have_one_canonical_form_and_others_another(value: float) 
 
 def outcome(samples: int, points: int = 800) -> Outcome:
     series = np.zeros((15, samples), dtype=np.float32)
-    return Outcome(key="k", strategy="lv", status="ok", json=b"{}", compute_ms=1.0, points=points, series=series)
+    return Outcome(
+        key="k", strategy="lv", status="ok", json=b"{}", compute_ms=1.0, sampling=Sampling(points), series=series
+    )
 
 
 @pytest.mark.parametrize("first_seed", [1, 0, 2**31])
@@ -111,7 +113,9 @@ def test_a_failure_that_an_older_version_stored_is_answered_with_its_kind() -> N
 @pytest.mark.parametrize("series", [None, np.zeros((4, 100), dtype=np.float32)])
 def test_results_in_memory_take_no_more_than_they_may(series: NDArray[np.float32] | None) -> None:
     """As they come from a worker."""
-    result = Outcome(key="k", strategy="lv", status="ok", json=bytes(2900), compute_ms=1.5, points=100, series=series)
+    result = Outcome(
+        key="k", strategy="lv", status="ok", json=bytes(2900), compute_ms=1.5, sampling=Sampling(100), series=series
+    )
     memory, content = ResultCache(10**6), pickle.dumps(result)
     tracemalloc.start()
     for number in range(1000):
@@ -145,10 +149,10 @@ def test_freed_pages_between_blocks_in_use_are_given_back() -> None:
 def test_memory_answers_only_for_the_points_it_has() -> None:
     memory = ResultCache(10**6)
     memory.put("a", outcome(100, 800))
-    assert memory.get("a", 2000) is None
+    assert memory.get("a", Sampling(2000)) is None
     assert memory.get("a", None) is not None, "without series any will do"
     memory.put("a", outcome(200, 2000))
-    assert memory.get("a", 800) is None
-    assert memory.get("a", 2000) is not None
+    assert memory.get("a", Sampling(800)) is None
+    assert memory.get("a", Sampling(2000)) is not None
     memory.put("a", Outcome(key="k", strategy="lv", status="ok", json=b"{}", compute_ms=1.0))
-    assert memory.get("a", 2000) is not None, "one without series does not drive out one with"
+    assert memory.get("a", Sampling(2000)) is not None, "one without series does not drive out one with"

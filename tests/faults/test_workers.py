@@ -14,6 +14,7 @@ import pytest
 from backend.compute import processes
 from backend.compute.workers import Workers
 from backend.errors import WorkerTimeoutError
+from backend.outcome import Sampling
 from backend.runs import WARM_UP
 from backend.runs.compute_run import compute_run
 from sim_core.scenario import Scenario
@@ -83,7 +84,7 @@ def test_a_worker_computes_on_one_thread_and_is_warm(do: Do) -> None:
         # Its main thread, and the one that ends it with the service: none of BLAS.
         assert psutil.Process(pid).num_threads() == 2
         assert await workers.call(eval, CACHED_CARS) > 0, "it has driven before anybody asked"
-        outcomes = await workers.call(compute_run, Scenario(), {"lv": "a", "passive": "b"}, 100)
+        outcomes = await workers.call(compute_run, Scenario(), {"lv": "a", "passive": "b"}, Sampling(100))
         assert {name: outcome.status for name, outcome in outcomes.items()} == {"lv": "ok", "passive": "ok"}
 
     do(use)
@@ -108,7 +109,7 @@ def test_a_task_that_nobody_waits_for_ends_or_never_begins(do: Do, tmp_path: Pat
         pid = await workers.call(os.getpid)
         await gone(workers, "time.sleep(3600)", cost=30.0)
         assert await workers.call(os.getpid) == pid, "the process is well"
-        outcomes = await workers.call(compute_run, Scenario(), {"passive": "a"}, 100)
+        outcomes = await workers.call(compute_run, Scenario(), {"passive": "a"}, Sampling(100))
         assert outcomes["passive"].status == "ok"
         await gone(workers, f"time.sleep(0.1); pathlib.Path({str(ended)!r}).touch()", cost=0.1)
         assert await workers.call(os.getpid) == pid

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from backend.outcome import Outcome
+from backend.outcome import Outcome, Sampling
 from backend.runs.compute_run import compute_run
 from backend.runs.reports import inputs, numbers
 from backend.runs.reports.caveats import caveats
@@ -106,7 +106,7 @@ def test_every_field_is_in_the_tables_and_what_differs_is_marked() -> None:
 def outcomes() -> dict[str, Outcome]:
     """A smooth road with a bump a car jumps over: short, and with every caveat."""
     scenario = Scenario.model_validate({"road": {"length": 60, "bump": {"start": 40, "height": 0.15}}})
-    return compute_run(scenario, {"lv": "a", "passive": "b"}, 200)
+    return compute_run(scenario, {"lv": "a", "passive": "b"}, Sampling(200))
 
 
 def facts(outcomes: dict[str, Outcome], **more: Any) -> RunFacts:

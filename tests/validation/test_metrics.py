@@ -141,7 +141,7 @@ def test_rms_over_intervals_of_the_road_is_by_definition(strategy: str, interval
 def test_rms_between_knows_jumps() -> None:
     """A sawtooth from 0 to 1 over each of ten held commands: its mean square is 1/3, to the middle of a tooth 1/12."""
     teeth = np.tile(np.linspace(0, 1, 5), (10, 1))
-    series = Series({"time": np.arange(41) / 40}, lambda: dict.fromkeys(METRIC_SIGNALS, teeth))
+    series = Series({"time": np.arange(41) / 40}, lambda _: dict.fromkeys(METRIC_SIGNALS, teeth), 4)
     two, none = np.array([0.0, 1.0]), np.zeros(2)
     speed_profile = SpeedProfile(
         initial_speed=10,

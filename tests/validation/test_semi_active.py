@@ -41,7 +41,8 @@ def recorded(scenario: Scenario, law: str) -> tuple[Recording, StrategyResult]:
 
 def damper(scenario: Scenario, law: str) -> tuple[FloatArray, FloatArray]:
     """Speed of travel [m/s] and force of damper and control together [N], (2, commands, samples of each)."""
-    table, car = recorded(scenario, law)[0].table(), scenario.real_vehicle
+    recording, car = recorded(scenario, law)[0], scenario.real_vehicle
+    table = recording.table(slice(0, len(recording.trajectory.loop) - 1 - recording.first))
     speed, control = table[:2], table[-2:]
     ratio = car.rebound_ratio
     mean = np.array([car.front_damping, car.rear_damping]).reshape(2, 1, 1)

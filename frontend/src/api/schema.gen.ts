@@ -919,6 +919,10 @@ export interface components {
         readonly LiveRequest: {
             /** @enum {string} */
             readonly encoding?: "base64" | "binary";
+            readonly part?: "bump" | readonly [
+                number,
+                number
+            ] | null;
             readonly points?: number;
             readonly scenario?: JsonObject;
             readonly signals?: readonly string[] | null;

@@ -1,6 +1,6 @@
 import { QueryClient } from "@tanstack/react-query";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
-import type { LiveAnswer, Run, Scenario, SeriesByStrategy, StrategyId, Summary } from "../api/types";
+import type { LiveAnswer, LiveRequest, Run, Scenario, SeriesByStrategy, StrategyId, Summary } from "../api/types";
 import { DEFAULT_VIEW, type Address } from "./address";
 import type { LabApi } from "./labState";
 import { createLab } from "./lab";
@@ -13,12 +13,8 @@ const LOW: Scenario = { height: 0.06 };
 const OPENING = ["lv", "lqr", "passive"];
 
 const summary = {
-  status: "ok",
-  compute_ms: 1,
-  cached: false,
-  metrics: {},
-  comfort: {},
-  events: {},
+  ...{ status: "ok", compute_ms: 1, cached: false },
+  ...{ metrics: {}, comfort: {}, events: {} },
 } as unknown as Summary;
 const byStrategy = <T>(ids: readonly StrategyId[], value: T) => Object.fromEntries(ids.map((id) => [id, value]));
 const idOf = (scenario: Scenario, ids: readonly StrategyId[], roads = 1) =>
@@ -58,25 +54,22 @@ function harness() {
       signal?.addEventListener("abort", () => reject(new DOMException("aborted", "AbortError")));
       held[kind].push({ answer: () => resolve(value), signal });
     });
-  const liveSignals: (readonly string[] | null | undefined)[] = [];
+  const liveRequests: LiveRequest[] = [];
   const api: LabApi = {
     createRun: (scenario, ids, signal, over) =>
       hold("runs", runOf("height" in scenario ? scenario : PAPER, ids, over?.roads ?? 1), signal),
     run: (id, signal) => hold("runs", runOf(id === "low" ? LOW : PAPER, OPENING), signal),
     series: (_id, ids, _points, signal) => hold<SeriesByStrategy>("series", byStrategy(ids, {}), signal),
     link: () => Promise.reject(new Error("no link here")),
-    live: ({ scenario = {}, strategies, signals }, signal) => {
-      liveSignals.push(signals);
+    live: (request, signal) => {
+      const { scenario = {}, strategies } = request;
+      liveRequests.push(request);
       return hold<LiveAnswer>(
         "live",
         {
           core_version: "1",
           scenario,
-          characteristics: {
-            static_sag: { front: 0, rear: 0 },
-            natural_frequencies: { front_body: 1, rear_body: 1, front_wheel: 10, rear_wheel: 10 },
-            damping_ratios: { front_body: 1, rear_body: 1, front_wheel: 1, rear_wheel: 1 },
-          },
+          characteristics: {} as NonNullable<LiveAnswer["characteristics"]>,
           strategies: byStrategy(strategies, { ...summary, cached: false }),
           series: byStrategy(strategies, {}),
         },
@@ -110,7 +103,7 @@ function harness() {
     lab.open(labAddress.get());
     await respond();
   };
-  return { lab, labAddress, held, liveSignals, answer, respond, tick, agree, start };
+  return { lab, labAddress, held, liveRequests, answer, respond, tick, agree, start };
 }
 
 describe("the lab's address and page", () => {
@@ -209,11 +202,11 @@ it("under a moving slider curves follow each answer, what is read twice a second
 });
 
 it("all is asked for until an answer is read, then only the curves in sight, and one that comes into sight at once", async () => {
-  const { lab, answer, liveSignals, start } = harness();
+  const { lab, labAddress, answer, liveRequests, start } = harness();
   await start();
   lab.configure(FORM, ["brake_pressure", "speed", "pitch", "heave"]);
   const leave = lab.draw("speed");
-  expect(liveSignals).toEqual([]); // no slider moves
+  expect(liveRequests).toEqual([]); // no slider moves
   lab.drag(LOW);
   lab.drag({ height: 3 });
   await answer("live"); // the newer one, so that the older is aborted
@@ -221,11 +214,18 @@ it("all is asked for until an answer is read, then only the curves in sight, and
   lab.draw("pitch");
   leave();
   lab.drag({ height: 4 });
-  expect(liveSignals).toEqual([
-    ["brake_pressure", "speed", "pitch", "heave"],
-    ["brake_pressure", "speed", "pitch", "heave"],
-    ["brake_pressure", "speed", "pitch"],
-    ["brake_pressure", "pitch"],
+  for (const zoom of [[3, 9], "whole"] as const) {
+    await answer("live");
+    labAddress.setView({ zoom });
+    lab.drag({ height: 5 });
+  }
+  expect(liveRequests.map(({ signals, part, points }) => [signals, part, points])).toEqual([
+    [["brake_pressure", "speed", "pitch", "heave"], undefined, 400],
+    [["brake_pressure", "speed", "pitch", "heave"], undefined, 400],
+    [["brake_pressure", "speed", "pitch"], "bump", 200],
+    [["brake_pressure", "pitch"], "bump", 200],
+    [["brake_pressure", "pitch"], [3, 9], 200],
+    [["brake_pressure", "pitch"], undefined, 800],
   ]);
 });
 

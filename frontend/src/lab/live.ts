@@ -1,7 +1,7 @@
 /** Figures and curves while a slider moves: two requests at a time, the newest next. */
 
 import { ApiProblem, isTransient } from "../api/problem";
-import type { LiveAnswer, Scenario, StrategyId } from "../api/types";
+import type { LiveAnswer, LiveRequest, Scenario, StrategyId } from "../api/types";
 import type { LabForm, Services, LabState } from "./labState";
 import { isRecording } from "../lib/recording";
 import { createLatest } from "../lib/latest";
@@ -13,8 +13,9 @@ import { createAtom, type Atom } from "@tanstack/react-store";
 import { createTimer, type Timer } from "../lib/timer";
 import { withoutGone } from "../scenario/differences";
 
-/** Samples of a curve where a panel, some 400 px wide, shows the bump, on which half of them lie. */
-const POINTS = 400;
+/** Samples of a curve in a panel, some 400 px wide; half of a whole drive's lie on the bump. */
+const IN_SIGHT_POINTS = 200;
+const POINTS = 2 * IN_SIGHT_POINTS;
 const POINTS_MOST = 2500;
 
 /** So often what is read follows a moving slider [ms]: each answer is followed by the curves in sight alone. */
@@ -40,7 +41,7 @@ function withRecorded(live: Result, latest: Result | null): Result {
   };
 }
 
-interface LiveRequest {
+interface Asked {
   readonly scenario: Scenario;
   readonly startedAt: number;
 }
@@ -63,6 +64,13 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
     const longest = Object.values(store.get().shown?.series ?? {}).map((series) => series[axisKey(axis)]?.at(-1) ?? 0);
     const part = Array.isArray(zoom) ? (zoom[1] - zoom[0]) / Math.max(1e-9, ...longest) : 1;
     return Math.round(Math.min(POINTS_MOST, (2 * POINTS) / Math.max(part, 0.01)));
+  };
+
+  /** What the panels show alone: a third of the work. On the time axis strategies meet the bump at different times. */
+  const partInSight = (): Pick<LiveRequest, "part" | "points"> => {
+    const { zoom, axis, differences } = labAddress.get().view;
+    if (differences || axis === "time" || zoom === "whole") return { points: points() };
+    return { part: zoom === null ? "bump" : [...zoom], points: IN_SIGHT_POINTS };
   };
 
   const answered = createAtom<Result | null>(null);
@@ -101,7 +109,7 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
   };
   const [reading, resting] = [createTimer(READ_MS, read), createTimer(REST_MS, read)];
 
-  const latest = createLatest<LiveRequest, { readonly answer: LiveAnswer; readonly isRead: boolean }>({
+  const latest = createLatest<Asked, { readonly answer: LiveAnswer; readonly isRead: boolean }>({
     run: async ({ scenario }, signal) => {
       grace.start();
       const { group, signals } = form();
@@ -110,8 +118,7 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
       const body = {
         scenario: withoutGone(group, scenario),
         strategies: simulated(strategies),
-        signals: isRead ? signals : [...inSight],
-        points: points(),
+        ...(isRead ? { signals, points: points() } : { signals: [...inSight], ...partInSight() }),
       };
       return { answer: await api.live(body, signal), isRead };
     },
