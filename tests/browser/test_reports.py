@@ -69,8 +69,8 @@ def test_the_lab_is_printed_and_its_report_works_offline(
     )
     lab.pdf(path=tmp_path / "lab.pdf", prefer_css_page_size=True)
     assert lab.evaluate("window.printed") == [3] * len(PANELS)
-    # The car and the road, the paper's four signals, the tables, what the other panels show: none is lost or torn.
-    assert len(re.findall(rb"/Type /Page\b", (tmp_path / "lab.pdf").read_bytes())) == 4
+    # The car, the road and two signals; two signals and the table; what the other panels show: none is lost or torn.
+    assert len(re.findall(rb"/Type /Page\b", (tmp_path / "lab.pdf").read_bytes())) == 3
     lab.emulate_media(media="print")
     expect(lab.get_by_role("button", name="Share")).to_be_hidden()
     expect(lab.get_by_text(dashboard.run_id)).to_be_visible()

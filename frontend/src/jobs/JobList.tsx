@@ -48,7 +48,12 @@ export function JobList<Item extends Common, Job extends Item>({
   });
   const items = data?.pages.flatMap((page) => page.items);
   return (
-    <Card aria-label={title} aria-busy={!items && !error} title={title}>
+    <Card
+      aria-label={title}
+      aria-busy={!items && !error}
+      title={title}
+      data-unprinted={current !== undefined || undefined}
+    >
       {error && !items ? (
         <Fault size="md" className={ui.note ?? ""}>
           They could not be read: {error.message}

@@ -80,6 +80,8 @@ export function Chart(props: Props) {
       tools === undefined ? CONFIG : { ...TOOLS, toImageButtonOptions: { format: "svg", filename: tools } };
     const draw = () => {
       void plotly.react(element, figure.data, { ...figure.layout, width, height }, config).then(() => {
+        element.style.aspectRatio = `${width} / ${height}`;
+        for (const svg of element.querySelectorAll(".main-svg")) svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
         if (mounted && covered) setDrawing((before) => before + 1);
       });
     };

@@ -94,7 +94,7 @@ interface PanelsProps extends Props {
 }
 
 export function PlotPanels({ templates, ...props }: PanelsProps) {
-  const palette = PALETTES[useComputedColorScheme("light")];
+  const palette = usePalette();
   return templates.map((template) => (
     <PlotPanel key={template.layout.meta.signal} {...{ template, palette, ...props }} />
   ));
@@ -126,7 +126,7 @@ interface RoadStripProps {
 
 /** The whole road as a thin strip: where the plots below look, and a place to point and zoom. */
 export function RoadStrip({ template, resultView }: RoadStripProps) {
-  const palette = PALETTES[useComputedColorScheme("light")];
+  const palette = usePalette();
   const onZoom = useZoom();
   const { series, summaries, strategies, axis, whole, range, shown } = resultView;
   const { runId, coreVersion, source } = shown;
@@ -171,6 +171,12 @@ export function RoadStrip({ template, resultView }: RoadStripProps) {
       </div>
     </Card>
   );
+}
+
+/** Of the screen; paper is light. */
+function usePalette(): Palette {
+  const scheme = useComputedColorScheme("light");
+  return PALETTES[useSelector(printing) ? "light" : scheme];
 }
 
 interface PlotPanelProps {

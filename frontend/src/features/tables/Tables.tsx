@@ -25,8 +25,8 @@ import ui from "../../ui/ui.module.css";
 import { entryGroups, isRandom, lowestOf, VIEWS, type WindowView } from "./entries";
 import { useLabels } from "../../server/labels";
 
-/** Windows too narrow, beside the form, for both halves of the comparison side by side. */
-const NARROW = "(max-width: 67.99em)";
+/** Windows too narrow, beside the form, for both halves of the comparison side by side; paper has no form. */
+const NARROW = "screen and (max-width: 67.99em)";
 
 export function Tables({ resultView }: { readonly resultView: ResultView }) {
   const words = useLabels();
@@ -56,7 +56,7 @@ export function Tables({ resultView }: { readonly resultView: ResultView }) {
         <Checkbox
           size="xs"
           m="0.4rem 0.9rem"
-          data-unprinted
+          wrapperProps={{ "data-unprinted": true }}
           label="Group by strategy"
           checked={grouping === "strategy"}
           onChange={({ currentTarget: { checked } }) => setGrouping(checked ? "strategy" : "variant")}
