@@ -3,6 +3,7 @@
 import { Box, Checkbox, Group, Button, Menu, TextInput } from "@mantine/core";
 import { changedFields, changesText, nameByChanges } from "../../scenario/differences";
 import { referenceTo, whyNotCompared, type Reference } from "../../lab/compare";
+import { useAction, useActionButton } from "../../lab/actions";
 import { useLabContext, useLab, useEdit, useFromScenario, useReadOnly } from "../../lab/context";
 import { useForm } from "../../server/useCatalogues";
 import type { ResultView } from "../../lab/resultView";
@@ -34,6 +35,9 @@ const STRATEGY = "strategy:";
 
 export function CompareBar({ resultView }: { readonly resultView: ResultView }) {
   const { labAddress } = useLabContext();
+  const { differences } = resultView;
+  useAction("differences", () => labAddress.setView({ differences: !differences }));
+  const { label, onClick } = useActionButton("differences");
   return (
     <Group
       gap="0.3rem 0.9rem"
@@ -43,11 +47,7 @@ export function CompareBar({ resultView }: { readonly resultView: ResultView }) 
     >
       <AgainstSelect resultView={resultView} />
       <SpeedSelect />
-      <Checkbox
-        label="Plot differences"
-        checked={resultView.differences}
-        onChange={({ currentTarget: { checked } }) => labAddress.setView({ differences: checked })}
-      />
+      <Checkbox label={label} checked={differences} onChange={onClick} />
       <PinButton />
       <Group gap="0.3rem 0.9rem" flex="1 1 100%" miw={0}>
         <PinList />
@@ -125,19 +125,16 @@ function PinButton() {
     const differs = nameByChanges(changedFields(form, paperScenario, shown.scenario)) || "Paper’s scenario";
     ownPins.add({ name: defaultName(differs, pins), run });
   };
+  useAction("pin", run === null || isPinned || isFull ? null : pin);
+  const { label, ...button } = useActionButton("pin");
   const why = isPinned
     ? "Pinned: compared with whatever comes next"
     : isFull
       ? `At most ${MOST_PINS} results are pinned`
       : "Keeps this result here, to compare others with it";
   return (
-    <Button
-      data-hint={why}
-      leftSection={<Icon name="Pin" size={15} />}
-      disabled={run === null || isPinned || isFull || !form}
-      onClick={pin}
-    >
-      Pin
+    <Button data-hint={why} leftSection={<Icon name="Pin" size={15} />} {...button}>
+      {label}
     </Button>
   );
 }

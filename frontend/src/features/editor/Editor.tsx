@@ -2,6 +2,7 @@
 
 import { Accordion, Badge, Box, Button, Text, TextInput } from "@mantine/core";
 import { memo, useEffect, useMemo, useState } from "react";
+import { useAction, useActionButton } from "../../lab/actions";
 import { useEdit, useFromScenario, useLab, useReadOnly } from "../../lab/context";
 import classes from "./editor.module.css";
 import { changedPointers, leavesOf, resetMember, type Leaf, OWN } from "../../scenario/differences";
@@ -54,6 +55,12 @@ export function Editor({ form }: { readonly form: Group }) {
     .filter((section) => searching || contains(section, wrong))
     .map(({ key }) => key as string);
   const changed = useFromScenario((scenario) => changedPointers(scenario, form).length);
+  const resetAll = () => {
+    for (const pointer of Object.keys(rejected)) edit.clearInvalid(pointer as Pointer);
+    edit.commit(resetMember(edit.newest(), form));
+  };
+  useAction("reset", readOnly || changed === 0 ? null : resetAll);
+  const { label: resetLabel, ...resetButton } = useActionButton("reset");
 
   return (
     <div className={classes.editor} data-scenario data-read-only={readOnly || undefined}>
@@ -64,17 +71,8 @@ export function Editor({ form }: { readonly form: Group }) {
             : `${changed} ${changed === 1 ? "value differs" : "values differ"} from the paper`}
         </Text>
         {!readOnly && (
-          <Button
-            size="compact-xs"
-            variant="subtle"
-            disabled={changed === 0}
-            data-testid="reset-all"
-            onClick={() => {
-              for (const pointer of Object.keys(rejected)) edit.clearInvalid(pointer as Pointer);
-              edit.commit(resetMember(edit.newest(), form));
-            }}
-          >
-            Reset all
+          <Button size="compact-xs" variant="subtle" data-testid="reset-all" {...resetButton}>
+            {resetLabel}
           </Button>
         )}
       </div>

@@ -6,6 +6,7 @@ import type { ReactNode } from "react";
 import { Icon } from "../../ui/icons";
 import { api } from "../../api/client";
 import type { Link, Run, Strategy, StrategyId, Summary } from "../../api/types";
+import { useAction, useActionButton } from "../../lab/actions";
 import { useLabContext, useLab } from "../../lab/context";
 import { useSelector } from "@tanstack/react-store";
 import ui from "../../ui/ui.module.css";
@@ -45,6 +46,8 @@ function Banner({ link, run, strategies }: BannerProps) {
     if (link.view.reference) labAddress.setView({ reference: "baseline", differences: false });
     lab.openCopy();
   };
+  useAction("copy", openCopy);
+  const { label, ...button } = useActionButton("copy");
   const over = run.over && { roads: run.over.roads, baseline: run.over.baseline };
   const again = useMutation({
     mutationFn: () => api.createRun(link.scenario, Object.keys(run.strategies), undefined, over),
@@ -53,8 +56,8 @@ function Banner({ link, run, strategies }: BannerProps) {
     <>
       <SharedNote link={link} what="result">
         <Group gap="0.4rem" data-unprinted>
-          <Button variant="filled" leftSection={<Icon name="Copy" size={15} />} onClick={openCopy}>
-            Open a copy to edit
+          <Button variant="filled" leftSection={<Icon name="Copy" size={15} />} {...button}>
+            {label}
           </Button>
           <Button
             leftSection={<Icon name="Refresh" size={15} />}

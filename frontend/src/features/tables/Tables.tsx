@@ -5,6 +5,7 @@ import { useMediaQuery } from "@mantine/hooks";
 import { useId, useState } from "react";
 import { Icon } from "../../ui/icons";
 import { CompareBar } from "../compare/CompareBar";
+import { Solve } from "../solve/SolveButton";
 import type { SignalKey } from "../../api/types";
 import type { ResultView } from "../../lab/resultView";
 import {
@@ -52,6 +53,7 @@ export function Tables({ resultView }: { readonly resultView: ResultView }) {
   return (
     <Card className={classes.comparison ?? ""} aria-label="Comparison" data-intervals={hasIntervals || undefined}>
       <CompareBar resultView={resultView} />
+      <Solve />
       {!narrow && resultView.pins.length > 0 && (
         <Checkbox
           size="xs"

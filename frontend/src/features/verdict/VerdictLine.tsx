@@ -4,6 +4,7 @@ import { Button, Group, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import type { Catalogue, OverRoads, Strategy, StrategyId } from "../../api/types";
+import { useAction, useActionButton } from "../../lab/actions";
 import { useEdit, useLab, useReadOnly } from "../../lab/context";
 import type { ResultView } from "../../lab/resultView";
 import type { Result } from "../../lab/result";
@@ -69,16 +70,15 @@ export function VerdictLine({ resultView }: { readonly resultView: ResultView })
 export function EqualSpeed({ resultView }: { readonly resultView: ResultView }) {
   const edit = useEdit();
   const readOnly = useReadOnly();
-  if (readOnly || speedsOf(resultView).length < 2) return null;
+  const differ = !readOnly && speedsOf(resultView).length > 1;
+  useAction("equalSpeed", differ ? () => edit.commit(setAt(edit.newest(), "/speed/policy", "planned")) : null);
+  const { label, ...button } = useActionButton("equalSpeed");
   return (
-    <Button
-      size="compact-xs"
-      variant="light"
-      data-unprinted
-      onClick={() => edit.commit(setAt(edit.newest(), "/speed/policy", "planned"))}
-    >
-      Compare at equal speed
-    </Button>
+    differ && (
+      <Button size="compact-xs" variant="light" data-unprinted {...button}>
+        {label}
+      </Button>
+    )
   );
 }
 

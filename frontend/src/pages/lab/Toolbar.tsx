@@ -3,6 +3,7 @@
 import { Button, SegmentedControl, Menu } from "@mantine/core";
 import { memo, useLayoutEffect, useRef, useState } from "react";
 import type { Strategy, StrategyId } from "../../api/types";
+import { useAction, useActionButton, type ActionId } from "../../lab/actions";
 import type { ViewZoom, Axis } from "../../lab/address";
 import { useLabContext, useView, useLab, useReadOnly } from "../../lab/context";
 import { makeResultView, axisKey, type ResultView } from "../../lab/resultView";
@@ -27,6 +28,11 @@ interface Props {
 export const Toolbar = memo(function Toolbar({ strategies, part, hasBump }: Props) {
   const { labAddress, lab } = useLabContext();
   const { axis } = useView();
+  const over = (next: Axis) => {
+    const { shown, strategies: selected } = lab.get();
+    switchAxis(labAddress, shown && makeResultView(shown, strategies, selected, labAddress.get().view), next);
+  };
+  useAction("axis", () => over(axis === "time" ? "distance" : "time"));
   const ref = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => (ref.current ? publishHeight(ref.current) : undefined), []);
   return (
@@ -41,19 +47,16 @@ export const Toolbar = memo(function Toolbar({ strategies, part, hasBump }: Prop
             { value: "distance", label: "Distance" },
             { value: "time", label: "Time" },
           ]}
-          onChange={(next) => {
-            const { shown, strategies: selected } = lab.get();
-            switchAxis(labAddress, shown && makeResultView(shown, strategies, selected, labAddress.get().view), next);
-          }}
+          onChange={over}
         />
         <Button.Group>
-          <ZoomButton label="Bump" tip="Zoom to the bump" zoom={null} shown={part === "bump"} disabled={!hasBump} />
+          <ZoomButton id="bump" tip="Zoom to the bump" zoom={null} shown={part === "bump"} can={hasBump} />
           <ZoomButton
-            label="Whole run"
+            id="whole"
             tip="Show the whole run (or double click a plot)"
             zoom="whole"
             shown={part === "whole"}
-            disabled={part === null}
+            can={part !== null}
           />
         </Button.Group>
       </div>
@@ -71,23 +74,19 @@ function publishHeight(toolbar: HTMLElement): () => void {
 }
 
 interface ZoomProps {
-  readonly label: string;
+  readonly id: ActionId;
   readonly tip: string;
   readonly zoom: ViewZoom;
   readonly shown: boolean;
-  readonly disabled: boolean;
+  readonly can: boolean;
 }
 
-function ZoomButton({ label, tip, zoom, shown, disabled }: ZoomProps) {
+function ZoomButton({ id, tip, zoom, shown, can }: ZoomProps) {
   const { labAddress } = useLabContext();
+  useAction(id, can ? () => labAddress.setView({ zoom }) : null);
+  const { label, ...button } = useActionButton(id);
   return (
-    <Button
-      data-hint={tip}
-      variant={shown ? "light" : "default"}
-      aria-pressed={shown}
-      disabled={disabled}
-      onClick={() => labAddress.setView({ zoom })}
-    >
+    <Button data-hint={tip} variant={shown ? "light" : "default"} aria-pressed={shown} {...button}>
       {label}
     </Button>
   );
