@@ -19,6 +19,7 @@ def test_a_limit_is_asked_answered_and_put_into_the_form(dashboard: Dashboard) -
     field = dialog.get_by_role("combobox", name="Field")
     expect(field).to_have_value("Target speed")
     expect(dialog.get_by_role("combobox", name="Metric")).to_have_value("Body acceleration, peak, bump")
+    expect(dialog.get_by_label("At most"), "the chart's own limit").not_to_have_value("")
     dialog.get_by_label("From").fill("31")
     for name, asked in (("LQR", "Target speed"), ("Passive", "Initial speed")):
         dialog.get_by_role("combobox", name="Strategy").click()
@@ -29,6 +30,7 @@ def test_a_limit_is_asked_answered_and_put_into_the_form(dashboard: Dashboard) -
     page.get_by_role("listbox").get_by_role("option", name="Height", exact=True).click()
     dialog.get_by_label("From").fill("20")
     dialog.get_by_label("To", exact=True).fill("10")
+    dialog.get_by_label("At most").fill("")
     find.click()
     expect(dialog.get_by_role("textbox", name="At most")).to_have_attribute("aria-invalid", "true")
     dialog.get_by_label("From").fill("8")

@@ -3,7 +3,7 @@
 import { Group, Text } from "@mantine/core";
 import { useElementSize } from "@mantine/hooks";
 import { useQueries } from "@tanstack/react-query";
-import { useState, type KeyboardEvent, type PointerEvent } from "react";
+import { useEffect, useEffectEvent, useState, type KeyboardEvent, type PointerEvent } from "react";
 import { ask } from "../../api/http";
 import type { Question, Scenario, Strategy, Solution } from "../../api/types";
 import { valueText } from "../../scenario/limits";
@@ -33,6 +33,8 @@ interface Props {
   readonly figure: Metric;
   /** In SI; `null` until there is one. */
   readonly limit: number | null;
+  /** It has to get one as soon as there are curves. */
+  readonly isOpening: boolean;
   readonly onLimit: (limit: number) => void;
 }
 
@@ -41,7 +43,7 @@ interface Curve {
   readonly points: readonly Point[];
 }
 
-export function LimitChart({ scenario, question, strategies, field, figure, limit, onLimit }: Props) {
+export function LimitChart({ scenario, question, strategies, field, figure, limit, isOpening, onLimit }: Props) {
   const { fieldOf, ...asked } = question;
   const answers = useQueries({
     queries: strategies.map((strategy) => {
@@ -59,13 +61,19 @@ export function LimitChart({ scenario, question, strategies, field, figure, limi
     return { strategy, points: data ? curveOf(data.tried) : [] };
   });
   const waiting = answers.some(({ isPending }) => isPending);
-  if (waiting || curves.every(({ points }) => points.length < 2))
+  const isDrawn = !waiting && curves.some(({ points }) => points.length > 1);
+  const opening = isDrawn ? openingLimit(curves.map(({ points }) => points)) : null;
+  const open = useEffectEvent(onLimit);
+  useEffect(() => {
+    if (isOpening && opening !== null) open(opening);
+  }, [isOpening, opening]);
+  if (opening === null)
     return (
       <Text size="sm" c="dimmed" h={HEIGHT} aria-busy={waiting}>
         {waiting ? "Driving every strategy over the range…" : "No strategy could be driven over this range."}
       </Text>
     );
-  const drawn = limit ?? openingLimit(curves.map(({ points }) => points));
+  const drawn = limit ?? opening;
   return (
     <div>
       <Drawing {...{ curves, field, figure, limit: drawn, onLimit }} />
@@ -236,10 +244,10 @@ export function rangesText(curve: readonly Point[], limit: number, textOf: (valu
   const ranges = rangesBelow(curve, limit);
   const [[first] = [0], [last] = [0]] = [curve[0], curve.at(-1)];
   if (curve.length < 2) return "could not be driven";
-  if (ranges.length === 0) return "above the limit everywhere";
+  if (ranges.length === 0) return "above the limit over the whole range";
   return ranges
     .map(([from, to]) => {
-      if (from === first && to === last) return "below the limit everywhere";
+      if (from === first && to === last) return "keeps the limit over the whole range";
       if (from === first) return `up to about ${textOf(to)}`;
       return to === last ? `from about ${textOf(from)} on` : `from about ${textOf(from)} to ${textOf(to)}`;
     })

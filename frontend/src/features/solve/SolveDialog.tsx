@@ -62,6 +62,8 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
     limit: "",
     roads: String(roads),
   }));
+  // The metric whose limit nobody has typed or dragged yet: the chart gives it one.
+  const [unlimited, setUnlimited] = useState<string | null>(first);
   // An empty field is wrong only when somebody asks.
   const [asked, setAsked] = useState(false);
   const field = fields.find(({ name }) => name === draft.field);
@@ -104,7 +106,10 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
       value={draft[key]}
       error={asked || draft[key] !== "" ? wrong[key] : undefined}
       {...{ label, unit }}
-      onType={(text) => patch({ [key]: text })}
+      onType={(text) => {
+        if (key === "limit") setUnlimited(null);
+        patch({ [key]: text });
+      }}
     />
   );
   const unit = leaf?.shown.unit ?? "1";
@@ -155,7 +160,10 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
             ...optionsOf(figures),
           ]}
           value={draft.metric}
-          onChange={(key) => key !== null && patch({ metric: key, limit: "" })}
+          onChange={(key) => {
+            setUnlimited(key);
+            if (key !== null) patch({ metric: key, limit: "" });
+          }}
         />
         {figure && entry("limit", "At most", figure.unit)}
         {entry("roads", "Roads", "1")}
@@ -171,7 +179,11 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
           }}
           strategies={strategies.filter(({ id }) => selected.includes(id))}
           limit={question?.limit ?? null}
-          onLimit={(limit) => patch({ limit: formatInput(Number((limit * figure.scale).toPrecision(3))) })}
+          isOpening={unlimited === figure.key}
+          onLimit={(limit) => {
+            setUnlimited(null);
+            patch({ limit: formatInput(Number((limit * figure.scale).toPrecision(3))) });
+          }}
         />
       )}
       {!figure && wrong.limit !== undefined && <Fault>{wrong.limit}</Fault>}

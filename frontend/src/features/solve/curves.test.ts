@@ -27,8 +27,8 @@ describe("where a curve keeps a limit", () => {
   it("is said in words", () => {
     const said = (curve: readonly Point[], limit: number) => rangesText(curve, limit, text);
     expect(said(RISING, 3)).toBe("up to about 25 km/h");
-    expect(said(RISING, 9)).toBe("below the limit everywhere");
-    expect(said(RISING, 0.5)).toBe("above the limit everywhere");
+    expect(said(RISING, 9)).toBe("keeps the limit over the whole range");
+    expect(said(RISING, 0.5)).toBe("above the limit over the whole range");
     expect(said(HILL, 2)).toBe("up to about 0.5 km/h, and from about 1.5 km/h on");
     expect(said([], 2)).toBe("could not be driven");
   });
