@@ -19,7 +19,7 @@ def test_a_limit_is_asked_answered_and_put_into_the_form(dashboard: Dashboard) -
     field = dialog.get_by_role("combobox", name="Field")
     expect(field).to_have_value("Target speed")
     expect(dialog.get_by_role("combobox", name="Metric")).to_have_value("Body acceleration, peak, bump")
-    expect(dialog.get_by_label("At most"), "the chart's own limit").not_to_have_value("")
+    expect(dialog.get_by_label("At most")).not_to_have_value("")  # the limit that the chart shows
     dialog.get_by_label("From").fill("31")
     for name, asked in (("LQR", "Target speed"), ("Passive", "Initial speed")):
         dialog.get_by_role("combobox", name="Strategy").click()
