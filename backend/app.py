@@ -56,6 +56,7 @@ ROUTERS = (
     links.sharing,
     links.links,
     paper.paper,
+    controller.compilers,
     controller.controller,
     library.library,
     library.data_sheets,

@@ -12,10 +12,10 @@ from backend.controller.service import Controllers
 from backend.fmu.models import FmuRequest
 from backend.fmu.service import Fmus
 from backend.http.answers import json_answer
-from backend.http.routing import ScenarioRoute
+from backend.http.routing import ReadingRoute, ScenarioRoute
 
 controller = router("controller", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
-
+compilers = router("controller", route_class=ReadingRoute)
 
 ControllersService = Annotated[Controllers, service(lambda services: services.controllers)]
 FmusService = Annotated[Fmus, service(lambda services: services.fmus)]
@@ -32,6 +32,12 @@ async def export_controller(body: models.ControllerRequest, service: Controllers
     content = await service.archive(body.scenario, client)
     headers = {"Content-Disposition": f'attachment; filename="{FOLDER}.zip"'}
     return Response(content, headers=headers, media_type="application/zip")
+
+
+@compilers.get("/controller/compilers", operation_id="getCompilers", response_model=models.Compilers)
+async def get_compilers(service: ControllersService) -> Response:
+    """Whether the ECU's program can be built here, known before a report or a drive by the clock is asked for."""
+    return json_answer(service.compilers())
 
 
 @controller.post("/controller/report", operation_id="reportController", response_model=models.ControllerReport)

@@ -85,6 +85,10 @@ def zig() -> list[str]:
     return [sys.executable, "-m", "ziglang", "cc"]
 
 
+_PROGRAM = [SOURCES / name for name in (*CONTROLLER, "host/ridelab_main.c", "host/ridelab_loaded.c")]
+_HEADERS = [SOURCES, SOURCES / "host"]
+
+
 @cache
 def program() -> Path:
     """The ECU's program for this machine, which loads its tables; built where it is not there yet.
@@ -92,8 +96,17 @@ def program() -> Path:
     Raises:
         EcuError: There is no working C compiler.
     """
-    sources = [SOURCES / name for name in (*CONTROLLER, "host/ridelab_main.c", "host/ridelab_loaded.c")]
-    return built(sources, [SOURCES, SOURCES / "host"])
+    return built(_PROGRAM, _HEADERS)
+
+
+def program_fault() -> str | None:
+    """Why the ECU's program is neither there nor can be built; None where it is or may be."""
+    return None if compilers() or _target(_PROGRAM, _HEADERS).is_file() else NO_COMPILER
+
+
+def firmware_fault() -> str | None:
+    """Why nothing can be built for the control unit's processor; None where it may be."""
+    return None if has_zig() else NO_CROSS_COMPILER
 
 
 def built(sources: Sequence[Path], include: Sequence[Path]) -> Path:
@@ -102,10 +115,7 @@ def built(sources: Sequence[Path], include: Sequence[Path]) -> Path:
     Raises:
         EcuError: There is no working C compiler.
     """
-    texts = [path.read_bytes() for path in sources]
-    texts += [path.read_bytes() for place in include for path in sorted(place.glob("*.h"))]
-    content = hashlib.sha256(repr([platform.system(), platform.machine(), FLAGS, texts]).encode()).hexdigest()
-    target = folder() / f"ridelab_ecu-{content[:24]}"
+    target = _target(sources, include)
     if target.is_file():
         return target
     options = [*FLAGS, *(f"-I{place}" for place in include), *map(str, sources)]
@@ -125,6 +135,14 @@ def built(sources: Sequence[Path], include: Sequence[Path]) -> Path:
         raise EcuError(NO_COMPILER)
     other = "" if has_zig() else f"; “{REMEDY}” installs another compiler"
     raise EcuError(f"The ECU's program cannot be built: {'; '.join(reasons)}{other}")
+
+
+def _target(sources: Sequence[Path], include: Sequence[Path]) -> Path:
+    """Where the program of these sources is cached."""
+    texts = [path.read_bytes() for path in sources]
+    texts += [path.read_bytes() for place in include for path in sorted(place.glob("*.h"))]
+    content = hashlib.sha256(repr([platform.system(), platform.machine(), FLAGS, texts]).encode()).hexdigest()
+    return folder() / f"ridelab_ecu-{content[:24]}"
 
 
 def compiled(command: Sequence[str], cache: Path, timeout: float = COMPILER_TIMEOUT) -> str | None:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from backend.controller import export
-from backend.controller.build import NO_CROSS_COMPILER, EcuError, compiled, compiler_cache, has_zig, zig
+from backend.controller.build import EcuError, compiled, compiler_cache, firmware_fault, zig
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.sources import CONTROLLER
 
@@ -48,8 +48,9 @@ def image(calibration: Calibration) -> Image:
     Raises:
         EcuError: The compiler is not there, or fails.
     """
-    if not has_zig():
-        raise EcuError(NO_CROSS_COMPILER)
+    fault = firmware_fault()
+    if fault is not None:
+        raise EcuError(fault)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         export.written(folder, calibration, "{}")

@@ -75,6 +75,13 @@ class ControllerReport(Answer):
     rows: list[ControllerRow]
 
 
+class Compilers(Answer):
+    """Why the ECU's program cannot be built here, and the remedy; null where nothing is known to be missing."""
+
+    report: str | None = Field(description="For the report, which needs one for the part's processor too")
+    realtime: str | None = Field(description="For the drive by the clock")
+
+
 class Times(Answer):
     """Times [s] with a histogram: `counts[i]` lie between `edges[i]` and `edges[i + 1]`; those outside at the ends."""
 

@@ -8,7 +8,8 @@ from cachetools import LRUCache
 
 from backend.compute.workers import Workers
 from backend.controller import export, realtime, report
-from backend.controller.models import ControllerReport, RealtimeReport
+from backend.controller.build import firmware_fault, program_fault
+from backend.controller.models import Compilers, ControllerReport, RealtimeReport
 from backend.cost.estimate import duration, estimate
 from backend.errors import CostLimitError
 from backend.gate import Gate
@@ -30,6 +31,12 @@ class Controllers:
     roads: MeasuredRoads
     max_request_cost: float
     _reports: LRUCache[str, ControllerReport] = field(init=False, default_factory=lambda: LRUCache(CACHED_REPORTS))
+
+    @staticmethod
+    def compilers() -> Compilers:
+        """What is missing on this machine to build the ECU's program."""
+        fault = program_fault()
+        return Compilers(report=firmware_fault() or fault, realtime=fault)
 
     async def archive(self, scenario: Scenario, client: str) -> bytes:
         """A zip of C sources.

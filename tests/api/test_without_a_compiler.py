@@ -51,6 +51,11 @@ def command(bare: httpx.Client, capfdbinary: pytest.CaptureFixture[bytes], monke
     return Cli(capfdbinary)
 
 
+def test_what_is_missing_is_known_before_anything_is_asked_for(bare: httpx.Client) -> None:
+    missing = bare.get("/api/v1/controller/compilers").raise_for_status().json()
+    assert missing == {"report": NO_CROSS_COMPILER, "realtime": NO_COMPILER}
+
+
 def test_a_run_needs_none(bare: httpx.Client) -> None:
     run = bare.post("/api/v1/runs", json={"scenario": SCENARIO, "strategies": ["lv_hil", "passive"]}).json()
     assert {name: each["status"] for name, each in run["strategies"].items()} == {"lv_hil": "ok", "passive": "ok"}

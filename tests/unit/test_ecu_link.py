@@ -150,6 +150,7 @@ def test_without_a_compiler_there_is_no_process_to_connect_to(
     try:
         with pytest.raises(EcuError, match=f"^{re.escape(build.NO_COMPILER)}$"), connected(calibration):
             pass
+        assert (build.program_fault(), build.firmware_fault()) == (build.NO_COMPILER, build.NO_CROSS_COMPILER)
         (programs / "gcc").write_text("#!/bin/sh\necho 'stdint.h: No such file' >&2\nexit 1\n")
         (programs / "gcc").chmod(0o755)
         failed = r"failed \(stdint\.h: .*\); “make compiler” installs another compiler$"

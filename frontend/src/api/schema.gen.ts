@@ -38,6 +38,9 @@ export interface paths {
     readonly "/controller": {
         readonly post: operations["exportController"];
     };
+    readonly "/controller/compilers": {
+        readonly get: operations["getCompilers"];
+    };
     readonly "/controller/realtime": {
         readonly post: operations["driveByClock"];
     };
@@ -513,6 +516,10 @@ export interface components {
             readonly batch: string;
             readonly figures: readonly components["schemas"]["ComparedFigure"][];
             readonly points: readonly components["schemas"]["ComparedPoint"][];
+        };
+        readonly Compilers: {
+            readonly realtime: string | null;
+            readonly report: string | null;
         };
         readonly Condition: {
             readonly distance?: string | null;
@@ -1736,6 +1743,7 @@ export type Comfort = components['schemas']['Comfort'];
 export type ComparedFigure = components['schemas']['ComparedFigure'];
 export type ComparedPoint = components['schemas']['ComparedPoint'];
 export type Comparison = components['schemas']['Comparison'];
+export type Compilers = components['schemas']['Compilers'];
 export type Condition = components['schemas']['Condition'];
 export type ControllerLimit = components['schemas']['ControllerLimit'];
 export type ControllerPart = components['schemas']['ControllerPart'];
@@ -2093,6 +2101,15 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/zip": string;
+                };
+            };
+        };
+    };
+    readonly getCompilers: {
+        readonly responses: {
+            readonly 200: {
+                content: {
+                    readonly "application/json": components["schemas"]["Compilers"];
                 };
             };
         };

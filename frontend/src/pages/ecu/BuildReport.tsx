@@ -7,6 +7,7 @@ import { useState } from "react";
 import { ask } from "../../api/http";
 import type { ControllerReport, Scenario } from "../../api/types";
 import { formatPercent } from "../../features/tables/change";
+import { compilersQuery } from "../../server/queries";
 import { useLabels, type Labels } from "../../server/labels";
 import { VIEWS } from "../../features/tables/entries";
 import { formatNumber, formatWhole } from "../../units/format";
@@ -27,6 +28,7 @@ const reportQuery = (scenario: Scenario, enabled: boolean) =>
 export function BuildReport({ scenario }: { readonly scenario: Scenario }) {
   const [requested, setRequested] = useState<Scenario | null>(null);
   const report = useQuery(reportQuery(scenario, requested === scenario));
+  const missing = useQuery(compilersQuery).data?.report ?? null;
   return (
     <Card
       aria-label="Build report"
@@ -36,6 +38,7 @@ export function BuildReport({ scenario }: { readonly scenario: Scenario }) {
         !report.data && (
           <Button
             loading={report.isFetching}
+            disabled={missing !== null}
             onClick={() => (requested === scenario ? void report.refetch() : setRequested(scenario))}
           >
             Build and measure
@@ -53,6 +56,7 @@ export function BuildReport({ scenario }: { readonly scenario: Scenario }) {
               : "Compiles the controller for a Cortex-M3 at 72 MHz without floating-point hardware (64 KB RAM, 512 KB flash), counts what a step costs, and does the same with shorter horizons."}
           </Text>
           {report.isFetching && <Skeleton height={180} radius={6} />}
+          {missing !== null && <Fault>{missing}.</Fault>}
           {report.isError && !report.isFetching && <Fault>{report.error.message}</Fault>}
         </Stack>
       )}

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Summary } from "../../api/types";
-import { rowsOf } from "./EcuTable";
+import { conclusionOf, rowsOf } from "./EcuTable";
 
 /** Only what the rule reads. */
 const summary = (rms: number, peak: number) =>
@@ -31,4 +31,13 @@ describe("the ±8 % rule", () => {
     const rows = rowsOf({ paper_signals: ["a"] }, { lv: summary(0, 1) });
     expect(rows.map(({ within }) => within)).toEqual([null, null]);
   });
+});
+
+it("The conclusion says what got worse and what got better, by how much at most, and what is left of the lead", () => {
+  const rows = rowsOf({ paper_signals: ["a"] }, { lv: summary(2, 4), lv_hil: summary(2.1, 3), lqr: summary(5, 2) });
+  expect(conclusionOf(rows, ({ key }) => key)).toBe(
+    "Of 2 metrics the ECU’s code makes LV worse in 1 (+5.0\u2009% at most: rough_road.a.rms) " +
+      "and better in 1 (−25.0\u2009% at most: bump.a.peak); it is better than LQR in 1.",
+  );
+  expect(conclusionOf([], String)).toBe("");
 });

@@ -42,6 +42,9 @@ export function EcuTable({ summaries, strategies, stale }: Props) {
         )
       }
     >
+      <Text px="0.9rem" pb="sm" data-testid="hil-conclusion">
+        {conclusionOf(rows, ({ signal, view }) => `${words.signal(signal)}, ${words.view(view)}`)}
+      </Text>
       <DataTable
         label="Metrics, in the ECU and in the simulation"
         groups={VIEWS.map((view) => ({
@@ -135,6 +138,20 @@ function EcuEvents({ summary, catalogue }: { readonly summary: Summary | undefin
       ))}
     </dl>
   );
+}
+
+/** What the ECU's code makes worse and better, and whether it still betters the LQR; empty while there is nothing to compare. */
+export function conclusionOf(rows: readonly HilRow[], nameOf: (row: HilRow) => string): string {
+  const compared = rows.filter(({ change }) => change !== null);
+  if (compared.length === 0) return "";
+  const change = ({ change: percent }: HilRow) => percent ?? 0;
+  const sorted = compared.toSorted((a, b) => change(a) - change(b));
+  const part = (verdict: "worse" | "better", most: HilRow | undefined) => {
+    const number = compared.filter(({ hil, lv }) => changeAgainst(hil, lv).verdict === verdict).length;
+    return `${verdict} in ${number}${number > 0 && most ? ` (${formatPercent(change(most))} at most: ${nameOf(most)})` : ""}`;
+  };
+  const ahead = compared.filter(({ hil, lqr }) => changeAgainst(hil, lqr).verdict === "better").length;
+  return `Of ${compared.length} metrics the ECU’s code makes LV ${part("worse", sorted.at(-1))} and ${part("better", sorted[0])}; it is better than LQR in ${ahead}.`;
 }
 
 /** A change of at most so much [%] counts as reached: Tables 9 and 10 print +0.6 to +7.6. */

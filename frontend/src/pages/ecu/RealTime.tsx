@@ -1,7 +1,7 @@
 /** The drive by the clock: how long answers take, how evenly, and how many come too late. */
 
 import { Box, Button, Group, Progress, SegmentedControl, Stack, Text, useComputedColorScheme } from "@mantine/core";
-import { useMutation } from "@tanstack/react-query";
+import { useMutation, useQuery } from "@tanstack/react-query";
 import { useEffect, useMemo, useRef, useState } from "react";
 import { ask } from "../../api/http";
 import { isTransient } from "../../api/problem";
@@ -9,6 +9,7 @@ import type { RealtimeReport, Scenario } from "../../api/types";
 import { Chart } from "../../plots/Chart";
 import { ChartButton } from "../../plots/FigureButton";
 import { ON_PAPER, PALETTES } from "../../plots/palettes";
+import { compilersQuery } from "../../server/queries";
 import { useCatalogue, useStrategies } from "../../server/useCatalogues";
 import { formatPercent } from "../../features/tables/change";
 import { VIEWS } from "../../features/tables/entries";
@@ -32,6 +33,7 @@ export function RealTime({ scenario, seconds, colour }: Props) {
     mutationFn: (wanted: Scenario) => ask("post", "/controller/realtime", { body: { scenario: wanted } }),
   });
   const report = drive.data;
+  const missing = useQuery(compilersQuery).data?.realtime ?? null;
   const other = drive.isSuccess && drive.variables !== scenario;
   return (
     <Card
@@ -39,7 +41,7 @@ export function RealTime({ scenario, seconds, colour }: Props) {
       aria-busy={drive.isPending || undefined}
       title="In real time"
       tools={
-        <Button loading={drive.isPending} onClick={() => drive.mutate(scenario)}>
+        <Button loading={drive.isPending} disabled={missing !== null} onClick={() => drive.mutate(scenario)}>
           {report ? "Drive again" : "Drive in real time"}
         </Button>
       }
@@ -51,6 +53,7 @@ export function RealTime({ scenario, seconds, colour }: Props) {
           {seconds === undefined ? "" : `, about ${formatNumber(seconds, 2)} s`}. An ordinary operating system wakes
           both sides, not a real-time one: the figures are the server’s at that moment, not an ECU’s.
         </Text>
+        {missing !== null && <Fault>{missing}.</Fault>}
         {drive.isPending && <Waiting seconds={seconds} />}
         {drive.isError && (
           <Fault>
