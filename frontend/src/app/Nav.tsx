@@ -10,6 +10,7 @@ import { usePaletteEntries } from "../lab/actions";
 import { useLabContext, useLab } from "../lab/context";
 import { labLink } from "../lab/labAddress";
 import { useSelector } from "@tanstack/react-store";
+import { Box } from "@mantine/core";
 import classes from "./nav.module.css";
 import ui from "../ui/ui.module.css";
 
@@ -37,6 +38,8 @@ export function Nav() {
   ];
   const path = useRouterState({ select: ({ matches }) => matches[1]?.routeId.split("/")[1] });
   const section = path === "b" ? "sweeps" : path;
+  // The lab has more in its header.
+  const width = section === "lab" ? "lg" : "sm";
   const navigate = useNavigate();
   usePaletteEntries([
     ...entries.map(({ label, link }) => ({ group: "Pages" as const, label, run: () => void navigate(link) })),
@@ -46,10 +49,12 @@ export function Nav() {
     <>
       <Link {...labLink(lab)} className={classes.home} aria-label="Ridelab, to the lab">
         <Logo />
-        <span className={classes.name}>Ridelab</span>
+        <Box component="span" className={classes.name ?? ""} visibleFrom="sm">
+          Ridelab
+        </Box>
       </Link>
-      <nav aria-label="Pages" className={classes.nav} data-crowded={section === "lab" || undefined}>
-        <ul className={`${ui.list} ${classes.links}`}>
+      <nav aria-label="Pages" className={classes.nav}>
+        <Box component="ul" className={`${ui.list} ${classes.links}`} visibleFrom={width}>
           {entries.map(({ label, link, ...entry }) => (
             <li key={label}>
               <Link
@@ -62,9 +67,9 @@ export function Nav() {
               </Link>
             </li>
           ))}
-        </ul>
+        </Box>
         <LazyPart>
-          <PagesMenu {...{ entries, section }} />
+          <PagesMenu {...{ entries, section }} hiddenFrom={width} />
         </LazyPart>
       </nav>
     </>

@@ -56,7 +56,7 @@ export function Shell() {
           <Outlet />
           <Keyboard />
           <div className={classes.notices} data-unprinted>
-            <div className={classes.pageNotices} ref={setNotices} />
+            <div style={{ display: "contents" }} ref={setNotices} />
             <ConnectionBanner onBack={lab.resume} />
           </div>
         </div>

@@ -10,15 +10,15 @@ import { Icon } from "../ui/icons";
 import classes from "./nav.module.css";
 import { useEffect, useState } from "react";
 import { createTimer } from "../lib/timer";
-import ui from "../ui/ui.module.css";
 
 interface PagesProps {
   readonly entries: readonly { readonly section: string; readonly label: string; readonly link: LinkOptions }[];
   /** That of the page shown. */
   readonly section: string | undefined;
+  readonly hiddenFrom: "lg" | "sm";
 }
 
-export function PagesMenu({ entries, section }: PagesProps) {
+export function PagesMenu({ entries, section, hiddenFrom }: PagesProps) {
   const help = useActionButton("help");
   const current = entries.find((entry) => entry.section === section);
   return (
@@ -27,7 +27,9 @@ export function PagesMenu({ entries, section }: PagesProps) {
         <Button
           variant="subtle"
           color="gray"
-          className={classes.menu ?? ""}
+          px="0.4rem"
+          c="var(--text)"
+          {...{ hiddenFrom }}
           aria-label={`Pages, now ${current?.label ?? "another"}`}
           rightSection={<Icon name="ChevronDown" size={14} />}
         >
@@ -159,7 +161,15 @@ export function Hints() {
   return (
     shown &&
     text !== undefined && (
-      <Tooltip opened target={shown} label={text} multiline maw={280} withArrow className={ui.hint ?? ""} />
+      <Tooltip
+        opened
+        target={shown}
+        label={text}
+        multiline
+        maw={280}
+        withArrow
+        styles={{ tooltip: { whiteSpace: "pre-line" } }}
+      />
     )
   );
 }

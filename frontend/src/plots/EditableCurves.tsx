@@ -60,7 +60,7 @@ function ticks([low, high]: Range): readonly number[] {
 export function EditableCurves(props: Props) {
   const { label, height, xRange, yRange, curves, selected, points, readOnly, onChoose, onMove, onRelease } = props;
   const { ref, width } = useElementSize<HTMLDivElement>();
-  const keys = useReleaseAfterKeys(onRelease);
+  const releaseSoon = useReleaseAfterKeys(onRelease);
   const scale =
     ([low, high]: Range, from: number, to: number) =>
     (value: number) =>
@@ -84,7 +84,7 @@ export function EditableCurves(props: Props) {
     const size = event.shiftKey ? LARGE : SMALL;
     const [toX, toY] = [key[0] * size * (xRange[1] - xRange[0]), key[1] * size * (yRange[1] - yRange[0])];
     onMove(index, point.x + toX, point.y + toY);
-    keys.begin();
+    releaseSoon();
   };
 
   return (
@@ -135,7 +135,7 @@ export function EditableCurves(props: Props) {
               onPointerMove={drag(index)}
               onPointerUp={onRelease}
               onKeyDown={step(index, point)}
-              onBlur={keys.flush}
+              onBlur={() => releaseSoon.flush()}
             />
           ))}
         </svg>

@@ -1,5 +1,6 @@
 /** The drawn part of a panel: a canvas, which follows a slider at any pace. */
 
+import { Box, Text } from "@mantine/core";
 import { useElementSize } from "@mantine/hooks";
 import { useCallback, useLayoutEffect, useRef } from "react";
 import { endFirstView } from "../lib/firstCurves";
@@ -8,6 +9,7 @@ import { useSelector, type ReadonlyAtom } from "@tanstack/react-store";
 import type { Curves } from "./curves";
 import { withVerticalRange, MARGIN } from "./figure";
 import type { PanelFigure, PlotTrace } from "./plotly";
+import ui from "../ui/ui.module.css";
 import classes from "./plots.module.css";
 import type { Numbers } from "../lib/samples";
 import type { Shape } from "./shapes";
@@ -65,9 +67,27 @@ export function Surface<Drawn extends Pick<Curves, "live">>({ curves, build, vis
 
 const STILL = { get: () => ({ live: false }), subscribe: () => ({ unsubscribe: () => undefined }) };
 
-/** A figure that is drawn when it is rendered. */
-export function StillSurface({ figure }: { readonly figure: PanelFigure }) {
-  return <Surface curves={STILL} build={useCallback(() => figure, [figure])} visible />;
+interface SmallFigureProps {
+  readonly title: string;
+  readonly unit: string;
+  /** What is drawn, for whoever does not see it. */
+  readonly label: string;
+  readonly height: number;
+  readonly figure: PanelFigure;
+}
+
+/** A figure under its title, drawn when it is rendered. */
+export function SmallFigure({ title, unit, label, height, figure }: SmallFigureProps) {
+  return (
+    <Box component="figure" m={0}>
+      <Text component="figcaption" size="xs" fw={600}>
+        {title} <span className={ui.dim}>[{unit}]</span>
+      </Text>
+      <Box pos="relative" h={height} role="img" aria-label={label}>
+        <Surface curves={STILL} build={useCallback(() => figure, [figure])} visible />
+      </Box>
+    </Box>
+  );
 }
 
 /** A range already shown is kept while live curves fit in and fill at least this part of it: axes must not flicker. */

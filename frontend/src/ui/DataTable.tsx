@@ -1,6 +1,6 @@
 /** The page's table: its columns are data, its first column is the rows' names and stays in sight when it scrolls sideways. */
 
-import { UnstyledButton } from "@mantine/core";
+import { Text, UnstyledButton } from "@mantine/core";
 import { useState, type HTMLAttributes, type ReactNode } from "react";
 import { Icon } from "./icons";
 import { inOrder, type Order } from "../lib/order";
@@ -130,7 +130,9 @@ export function DataTable<Row>({
         ))}
       </table>
       {empty !== undefined && shown.every((group) => group.rows.length === 0) && (
-        <p className={classes.empty}>{empty}</p>
+        <Text p="1rem" size="md" c="dimmed">
+          {empty}
+        </Text>
       )}
     </div>
   );

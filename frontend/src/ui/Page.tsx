@@ -1,6 +1,6 @@
 /** A page beside the lab: its title, its tools and what it shows, which its route has fetched; and what stands in place of results. */
 
-import { Box, Text, Button, Skeleton } from "@mantine/core";
+import { Stack, Box, Text, Button, Skeleton } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
 import { type ReactNode, createContext, use } from "react";
 import { createPortal } from "react-dom";
@@ -70,9 +70,15 @@ interface BlankProps {
 /** Nothing chosen, nothing found, nothing yet. */
 export function Blank({ title, text, children }: BlankProps) {
   return (
-    <div className={`${ui.card} ${shell.blank}`}>
+    <Stack className={ui.card ?? ""} align="center" justify="center" gap="0.7rem" mih="26rem" p="2rem">
       <svg width="180" height="46" viewBox="0 0 180 46" aria-hidden>
-        <path d="M2 40h58c14 0 18-30 30-30s16 30 30 30h58" className={shell.blankRoad} />
+        <path
+          d="M2 40h58c14 0 18-30 30-30s16 30 30 30h58"
+          fill="none"
+          stroke="var(--accent)"
+          strokeWidth={3}
+          strokeLinecap="round"
+        />
       </svg>
       <Text component="h2" fw={650} size="lg" ta="center">
         {title}
@@ -81,7 +87,7 @@ export function Blank({ title, text, children }: BlankProps) {
         {text}
       </Text>
       {children}
-    </div>
+    </Stack>
   );
 }
 

@@ -56,7 +56,7 @@ export function CarView({ resultView }: { readonly resultView: ResultView }) {
   if (!first) return null;
   return (
     <Card className={classes.view ?? ""} aria-label="The moving car">
-      <div ref={ref} className={classes.lanes}>
+      <div ref={ref} style={{ position: "relative" }}>
         {[first, ...(other ? [other] : [])].map((strategy) => (
           <Lane
             key={strategy.id}
@@ -117,7 +117,7 @@ function Scrubber({ resultView }: { readonly resultView: ResultView }) {
   return (
     <input
       type="range"
-      className={classes.scrubber}
+      style={{ flex: "1 1 6rem", minWidth: "6rem", height: 24, margin: 0, accentColor: "var(--accent)" }}
       aria-label="Cursor"
       aria-valuetext={`${at.toFixed(2)} ${axisUnit(resultView.axis)}`}
       min={low}

@@ -73,7 +73,9 @@ export function Lane({ resultView, strategy, width, exaggeration }: Props) {
                   transform={bodyPlace(drawnCar(other, size, scale, other.position - pose.position))}
                   d={path}
                   stroke={colour}
-                  className={classes.ghost}
+                  fill="none"
+                  strokeWidth={1.1}
+                  strokeOpacity={0.75}
                 />
               )
             );
@@ -121,9 +123,9 @@ function Caption({ strategy, pose }: { readonly strategy: Strategy; readonly pos
     <Group gap="0.1rem 0.5rem" pos="absolute" top="0.45rem" left="0.8rem" right="0.8rem" fz="xs">
       <span className={ui.swatch} style={{ background: strategy.colour }} />
       <strong>{strategy.label}</strong>
-      <span className={classes.numbers}>
+      <Box component="span" c="dimmed">
         {formatNumber(3.6 * pose.speed)} km/h · {pose.position.toFixed(1)} m · {pose.time.toFixed(2)} s
-      </span>
+      </Box>
       {airborne && (
         <Box component="span" fw={600} c="var(--danger)">
           {airborne}
@@ -149,9 +151,10 @@ function Road({ resultView, strategy, wheelbase, metre, rise }: RoadProps) {
       <>
         <polygon
           points={`${start * metre},${3 * HEIGHT} ${points} ${end * metre},${3 * HEIGHT}`}
-          className={classes.earth}
+          fill="var(--line)"
+          fillOpacity={0.55}
         />
-        <polyline points={points} className={classes.road} />
+        <polyline points={points} fill="none" stroke="var(--muted)" strokeWidth={2} strokeLinejoin="round" />
       </>
     );
   }, [series, wheelbase, metre, rise]);
@@ -168,13 +171,13 @@ interface WheelProps {
 function Wheel({ axle: { x, hub, tyre, airborne }, radius, rolled }: WheelProps) {
   const rim = radius * 0.58;
   return (
-    <g transform={`translate(${x} ${hub})`} data-airborne={airborne || undefined} className={classes.wheel}>
+    <g transform={`translate(${x} ${hub})`} data-airborne={airborne || undefined}>
       <path
         d={`M ${-radius} 0 A ${radius} ${radius} 0 0 1 ${radius} 0 A ${radius} ${tyre} 0 0 1 ${-radius} 0 Z`}
-        className={classes.tyre}
+        fill={airborne ? "var(--danger)" : "var(--faint)"}
       />
-      <circle r={rim} className={classes.rim} />
-      <g transform={`rotate(${((rolled * 180) / Math.PI) % 360})`} className={classes.spoke}>
+      <circle r={rim} fill="var(--surface)" />
+      <g transform={`rotate(${((rolled * 180) / Math.PI) % 360})`} stroke="var(--faint)" strokeWidth={1.2}>
         <path d={`M ${-rim} 0 H ${rim} M 0 ${-rim} V ${rim}`} />
       </g>
     </g>
@@ -206,10 +209,10 @@ function Strut({ axle: { x, hub, mount }, isActive }: StrutProps) {
   const ends = `M ${-APART - 2} ${top} H ${APART + 2} M ${-APART - 2} ${hub} H ${APART + 2}`;
   const path = `${ends} ${spring} ${damper}`;
   return (
-    <g transform={`translate(${x} 0)`} className={classes.strut}>
-      <path d={path} className={classes.halo} />
+    <g transform={`translate(${x} 0)`} fill="none" stroke="var(--text)" strokeWidth={1.2} strokeLinejoin="round">
+      <path d={path} stroke="var(--surface)" strokeWidth={2.8} strokeOpacity={0.8} />
       <path d={path} />
-      {isActive && <path d={`M 0 ${top} V ${hub}`} className={classes.actuator} />}
+      {isActive && <path d={`M 0 ${top} V ${hub}`} stroke="var(--accent)" strokeWidth={3} />}
     </g>
   );
 }
@@ -222,8 +225,8 @@ export function Arrow({ length }: { readonly length: number }) {
   if (Math.abs(length) < SHORTEST) return null;
   const head = Math.sign(length) * Math.min(6, Math.abs(length));
   return (
-    <g className={classes.force}>
-      <path d={`M 0 0 V ${-length + head / 2}`} />
+    <g fill="var(--text)">
+      <path d={`M 0 0 V ${-length + head / 2}`} stroke="var(--text)" strokeWidth={2.4} />
       <path d={`M -4 ${-length + head} H 4 L 0 ${-length} Z`} />
     </g>
   );
@@ -244,10 +247,17 @@ const CG = 4;
 const Body = memo(function Body({ path, windows, x, y }: BodyProps) {
   return (
     <>
-      <path d={path} className={classes.body} />
-      <path d={windows} className={classes.window} />
-      <g transform={`translate(${x} ${y})`} className={classes.cg}>
-        <circle r={CG} />
+      <path
+        d={path}
+        fill="currentColor"
+        fillOpacity={0.2}
+        stroke="currentColor"
+        strokeWidth={1.6}
+        strokeLinejoin="round"
+      />
+      <path d={windows} fill="var(--surface)" fillOpacity={0.75} />
+      <g transform={`translate(${x} ${y})`} fill="var(--text)">
+        <circle r={CG} fill="var(--surface)" stroke="var(--text)" />
         <path d={`M 0 0 V ${-CG} A ${CG} ${CG} 0 0 1 ${CG} 0 Z M 0 0 V ${CG} A ${CG} ${CG} 0 0 1 ${-CG} 0 Z`} />
       </g>
     </>

@@ -7,7 +7,6 @@ import { useAction, useActionButton } from "../../lab/actions";
 import { useLabContext, useLab, useEdit, useFromScenario, useReadOnly } from "../../lab/context";
 import { useForm } from "../../server/useCatalogues";
 import type { ResultView } from "../../lab/resultView";
-import classes from "./compare.module.css";
 import { Icon } from "../../ui/icons";
 import { defaultName, MOST_PINS } from "../../lab/pins";
 import { useSelector } from "@tanstack/react-store";
@@ -168,6 +167,9 @@ function SpeedSelect() {
   );
 }
 
+const WIDTH = { miw: 0, maw: "min(100%, 20rem)" };
+const WRAPPED = { overflowWrap: "anywhere", textAlign: "left" } as const;
+
 function PinList() {
   const pins = usePins();
   const readOnly = useReadOnly();
@@ -175,7 +177,7 @@ function PinList() {
   return (
     <Group
       component="ul"
-      className={`${ui.list} ${classes.pins}`}
+      className={ui.list ?? ""}
       gap="0.3rem 0.4rem"
       miw={0}
       aria-label={pins.length > 0 ? "Pinned results" : "Other results"}
@@ -186,15 +188,15 @@ function PinList() {
         </li>
       )}
       {pins.map((pin, index) => (
-        <li key={pin.run}>
+        <Box component="li" key={pin.run} {...WIDTH}>
           {readOnly ? (
-            <span className={`${ui.pill} ${classes.pin}`}>
+            <Box component="span" className={ui.pill ?? ""} {...WIDTH}>
               <PinName pin={pin} index={index} />
-            </span>
+            </Box>
           ) : (
             <PinMenu pin={pin} index={index} />
           )}
-        </li>
+        </Box>
       ))}
     </Group>
   );
@@ -229,8 +231,8 @@ function PinName({ pin, index }: Props) {
   return (
     <>
       <LineKey width={PIN_WIDTH} dash={pinDash(index)} />
-      <span className={classes.pinName}>{pin.name}</span>
-      {pin.missing !== null && <span className={classes.missing}>({pin.missing})</span>}
+      <span style={WRAPPED}>{pin.name}</span>
+      {pin.missing !== null && <span style={WRAPPED}>({pin.missing})</span>}
     </>
   );
 }
@@ -242,15 +244,17 @@ function PinMenu({ pin, index }: Props) {
   return (
     <Menu position="bottom-start" width={260} withinPortal trapFocus>
       <Menu.Target>
-        <button
+        <Box
+          component="button"
           type="button"
-          className={`${ui.pill} ${classes.pin}`}
-          data-missing={pin.missing !== null || undefined}
+          className={ui.pill ?? ""}
+          {...WIDTH}
+          {...(pin.missing !== null && { c: "dimmed" })}
           title={pin.missing === null ? pin.name : `${pin.name}: ${pin.missing}`}
         >
           <PinName pin={pin} index={index} />
           <Icon name="ChevronDown" size={13} />
-        </button>
+        </Box>
       </Menu.Target>
       <Menu.Dropdown>
         <TextInput

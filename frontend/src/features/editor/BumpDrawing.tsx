@@ -5,7 +5,6 @@ import { useElementSize } from "@mantine/hooks";
 import { useQuery } from "@tanstack/react-query";
 import { useLab } from "../../lab/context";
 import { DETAIL_POINTS, seriesQuery } from "../../server/queries";
-import classes from "./editor.module.css";
 import { valueText } from "../../scenario/limits";
 import { getAt } from "../../scenario/path";
 import type { Member, NumberField } from "../../scenario/schema";
@@ -78,28 +77,31 @@ function Drawing({ sketch: { points, ...bump }, height, width }: Props) {
         ? `${bump.count} bumps, `
         : `first ${bump.drawn} of ${bump.count} bumps, `;
   return (
-    <div ref={ref} className={classes.sketch} style={{ height: FLOOR }}>
+    <div ref={ref} style={{ height: FLOOR }}>
       {pixels > 0 && (
         <svg
           width={pixels}
           height={FLOOR}
+          display="block"
+          fontSize="var(--mantine-font-size-xs)"
+          fill="var(--text)"
           role="img"
           aria-label={`Bump of height ${height} and width ${width}, ${several}${scale}`}
         >
-          <polygon points={`${x(from)},${FLOOR} ${outline} ${x(to)},${FLOOR}`} className={classes.sketchRoad} />
-          <polyline points={outline} className={classes.sketchOutline} />
+          <polygon points={`${x(from)},${FLOOR} ${outline} ${x(to)},${FLOOR}`} fill="var(--raised)" />
+          <polyline points={outline} fill="none" stroke="var(--text)" strokeWidth={1.5} />
           <path
             d={`M ${beside - 3} ${y(0)} h 6 M ${beside} ${y(0)} V ${y(bump.height)} m -3 0 h 6`}
-            className={classes.sketchSize}
+            stroke="var(--accent)"
           />
           <text x={beside - 5} y={(y(0) + y(bump.height)) / 2} dominantBaseline="middle" textAnchor="end">
             {height}
           </text>
-          <path d={`M ${left} ${FLOOR - 19} v 6 m 0 -3 H ${right} m 0 -3 v 6`} className={classes.sketchSize} />
+          <path d={`M ${left} ${FLOOR - 19} v 6 m 0 -3 H ${right} m 0 -3 v 6`} fill="none" stroke="var(--accent)" />
           <text x={(left + right) / 2} y={FLOOR - 3} textAnchor="middle">
             {width}
           </text>
-          <text x={pixels} y={TOP - 6} textAnchor="end" className={classes.sketchScale}>
+          <text x={pixels} y={TOP - 6} textAnchor="end" fill="var(--muted)">
             {several}
             {scale}
           </text>

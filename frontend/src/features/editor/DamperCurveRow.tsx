@@ -1,6 +1,6 @@
 /** A damper as its supplier gives it: its force at a few velocities, drawn; points are dragged, or typed. */
 
-import { ActionIcon, Button, Switch } from "@mantine/core";
+import { ActionIcon, Box, Button, Switch } from "@mantine/core";
 import { Fragment, useId } from "react";
 import { useEdit, useFromScenario, useLab } from "../../lab/context";
 import { EditableCurves } from "../../plots/EditableCurves";
@@ -9,10 +9,11 @@ import { child, numberAt, setAt } from "../../scenario/path";
 import type { DataField } from "../../scenario/schema";
 import { Icon } from "../../ui/icons";
 import { formatExact } from "../../units/format";
-import classes from "./editor.module.css";
 import { FieldFrame, useLeaf } from "./FieldFrame";
 import type { JsonValue } from "../../api/types";
 import { PartEntry } from "./NumberFieldRow";
+
+const POINTS = { gridTemplateColumns: "auto auto 1fr", gap: "0.2rem 0.5rem", alignItems: "center" };
 
 /** Velocity and force: unit, and what is accepted. */
 const PARTS = [
@@ -70,7 +71,7 @@ export function DamperCurveRow({ field }: { readonly field: DataField }) {
             yRange={ranges[1]}
             readOnly={readOnly}
           />
-          <div className={classes.points}>
+          <Box display="grid" mb="0.4rem" fz="xs" c="dimmed" style={POINTS}>
             <span>velocity, rebound +</span>
             <span>force</span>
             <span />
@@ -101,7 +102,7 @@ export function DamperCurveRow({ field }: { readonly field: DataField }) {
                 </ActionIcon>
               </Fragment>
             ))}
-          </div>
+          </Box>
           {!readOnly && (
             <Button size="compact-xs" disabled={points.length >= 20} onClick={() => commit(withPoint(points))}>
               Add a point

@@ -1,6 +1,6 @@
 /** The form: essentials open, the rest in sections. */
 
-import { Accordion, Badge, Box, Button, Text, TextInput } from "@mantine/core";
+import { Accordion, Badge, Box, Button, Group as Row, Stack, Text, TextInput } from "@mantine/core";
 import { memo, useEffect, useMemo, useState } from "react";
 import { useAction, useActionButton } from "../../lab/actions";
 import { useEdit, useFromScenario, useLab, useReadOnly } from "../../lab/context";
@@ -64,8 +64,8 @@ export function Editor({ form }: { readonly form: Group }) {
 
   return (
     <div className={classes.editor} data-scenario data-read-only={readOnly || undefined}>
-      <div className={classes.summary}>
-        <Text c="dimmed">
+      <Row justify="space-between" wrap="nowrap" h="2.5rem" p="0.25rem 0.75rem 0.25rem 1rem">
+        <Text c="dimmed" truncate>
           {changed === 0
             ? "The paper’s scenario"
             : `${changed} ${changed === 1 ? "value differs" : "values differ"} from the paper`}
@@ -75,7 +75,7 @@ export function Editor({ form }: { readonly form: Group }) {
             {resetLabel}
           </Button>
         )}
-      </div>
+      </Row>
       <TextInput
         p="0 0.75rem 0.5rem 1rem"
         aria-label="Find a field"
@@ -105,11 +105,11 @@ export function Editor({ form }: { readonly form: Group }) {
         order={2}
         value={[...new Set([...opened, ...forced])]}
         onChange={(next) => !searching && setOpened(next)}
-        classNames={{
-          item: classes.item ?? "",
-          control: classes.control ?? "",
-          label: classes.controlLabel ?? "",
-          content: classes.content ?? "",
+        styles={{
+          item: { borderColor: "var(--line)" },
+          control: { paddingInline: "0.75rem", minHeight: "2.5rem" },
+          label: { display: "flex", alignItems: "center", gap: "0.5rem", paddingBlock: "0.4rem" },
+          content: { padding: "0.1rem 1rem 0.9rem" },
         }}
         transitionDuration={0}
       >
@@ -159,9 +159,13 @@ const SectionItem = memo(function SectionItem({ section, isOpen }: ItemProps) {
         )}
       </Accordion.Control>
       <Accordion.Panel>
-        {isOpen && section.key === VEHICLE && <VehicleChoice group={section.whole} />}
-        {isOpen && section.key === BUMP && <BumpDrawing members={section.members} />}
-        {isOpen && <Members members={section.members} />}
+        {isOpen && (
+          <Stack gap="0.6rem">
+            {section.key === VEHICLE && <VehicleChoice group={section.whole} />}
+            {section.key === BUMP && <BumpDrawing members={section.members} />}
+            <Members members={section.members} />
+          </Stack>
+        )}
       </Accordion.Panel>
     </Accordion.Item>
   );

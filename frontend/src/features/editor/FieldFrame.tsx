@@ -120,7 +120,8 @@ export function ChoiceFieldRow({ field, leaf }: { readonly field: ChoiceField; r
       aside={
         <Choice
           id={id}
-          className={classes.choice ?? ""}
+          w={142}
+          flex="none"
           value={optionOf(leaf.value)}
           disabled={leaf.readOnly}
           error={leaf.error !== undefined}

@@ -153,12 +153,19 @@ const breakable = (title: string) => title.replace(/\p{L}{7}(?=\p{L}{5})/gu, "$&
 function WeightsMatrix({ vectors }: { readonly vectors: readonly VectorField[] }) {
   const titles = vectors[0]?.items.map((item) => item.title) ?? [];
   return (
-    <div className={classes.matrix} style={{ "--columns": titles.length } as React.CSSProperties}>
+    <div
+      style={{
+        display: "grid",
+        gridTemplateColumns: `3.9rem repeat(${titles.length}, minmax(0, 1fr))`,
+        gap: "0.35rem",
+        alignItems: "start",
+      }}
+    >
       <span />
       {titles.map((title) => (
-        <span key={title} className={classes.columnTitle}>
+        <Text span key={title} fz="xs" lh={1.2} ta="center" c="dimmed" style={{ alignSelf: "end" }}>
           {breakable(title)}
-        </span>
+        </Text>
       ))}
       {vectors.map((vector) => (
         <MatrixRow key={vector.pointer} vector={vector} />

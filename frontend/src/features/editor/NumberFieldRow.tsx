@@ -1,6 +1,6 @@
 /** A number with its slider and its typed value; switched off where it may be null. */
 
-import { Box, Switch, TextInput, Input } from "@mantine/core";
+import { Box, Switch, Input } from "@mantine/core";
 import { useId, useState, useRef, type CSSProperties } from "react";
 import { FieldFrame, FieldError, type LeafState, useValue } from "./FieldFrame";
 import {
@@ -14,7 +14,8 @@ import {
 } from "../../scenario/limits";
 import type { NumberField } from "../../scenario/schema";
 import { useReleaseAfterKeys } from "../../lib/useReleaseAfterKeys";
-import { prettyUnit, formatWithUnit } from "../../units/format";
+import { formatWithUnit } from "../../units/format";
+import { Entry } from "../../ui/Entry";
 import classes from "./editor.module.css";
 import type { Scenario } from "../../api/types";
 import type { Pointer } from "../../scenario/path";
@@ -79,12 +80,11 @@ interface NumberEntryProps {
 export function NumberEntry({ id, field, leaf, label, withUnit = true, disabled = false }: NumberEntryProps) {
   const [draft, setDraft] = useState<string | null>(null);
   const shown = typeof leaf.value === "number" ? typedText(field, leaf.value) : "";
-  const unit = prettyUnit(field.shown.unit);
 
-  const rest = useReleaseAfterKeys(leaf.release);
+  const releaseSoon = useReleaseAfterKeys(leaf.release);
 
   const finish = () => {
-    rest.flush();
+    releaseSoon.flush();
     if (draft === null) return;
     const parsed = parseTyped(field, draft);
     setDraft(null);
@@ -98,16 +98,19 @@ export function NumberEntry({ id, field, leaf, label, withUnit = true, disabled 
     if (typeof from !== "number") return;
     setDraft(null);
     leaf.drag(stepped(field, from, steps));
-    rest.begin();
+    releaseSoon();
   };
 
   return (
-    <TextInput
+    <Entry
       id={id}
       data-pointer={field.pointer}
-      className={withUnit ? classes.entry : classes.cellEntry}
-      classNames={{ input: classes.entryInput ?? "" }}
-      inputMode="decimal"
+      unit={withUnit ? field.shown.unit : "1"}
+      {...(withUnit && { w: 118, flex: "none" })}
+      styles={{
+        input: withUnit ? { paddingRight: 54, textAlign: "right" } : { textAlign: "center" },
+        section: { justifyContent: "flex-start" },
+      }}
       autoComplete="off"
       spellCheck={false}
       value={draft ?? leaf.rejected?.text ?? shown}
@@ -115,11 +118,7 @@ export function NumberEntry({ id, field, leaf, label, withUnit = true, disabled 
       error={leaf.error !== undefined}
       {...(label === undefined ? {} : { "aria-label": label })}
       {...(leaf.error === undefined ? {} : { "aria-describedby": `${id}-error` })}
-      {...(withUnit && unit !== ""
-        ? { rightSection: <span className={classes.unit}>{unit}</span>, rightSectionWidth: 52 }
-        : {})}
-      rightSectionPointerEvents="none"
-      onChange={(event) => setDraft(event.currentTarget.value)}
+      onType={setDraft}
       onFocus={(event) => event.currentTarget.select()}
       onBlur={finish}
       onKeyDown={(event) => {
@@ -148,7 +147,7 @@ export function NumberSlider({ field, leaf, label }: NumberSliderProps) {
   const scale = sliderScale(field);
   const isPressed = useRef(false);
   const hasMoved = useRef(false);
-  const rest = useReleaseAfterKeys(leaf.release);
+  const releaseSoon = useReleaseAfterKeys(leaf.release);
 
   const clamp = (value: number) => Math.min(scale.maximum, Math.max(scale.minimum, scale.toSlider(value)));
   const value = typeof leaf.value === "number" ? clamp(leaf.value) : scale.minimum;
@@ -162,7 +161,7 @@ export function NumberSlider({ field, leaf, label }: NumberSliderProps) {
     if (!isPressed.current) return;
     isPressed.current = false;
     if (!hasMoved.current) return;
-    rest.stop();
+    releaseSoon.cancel();
     leaf.release();
   };
 
@@ -181,7 +180,7 @@ export function NumberSlider({ field, leaf, label }: NumberSliderProps) {
         const next = scale.fromSlider(event.currentTarget.valueAsNumber);
         if (next !== leaf.value) leaf.drag(next);
         hasMoved.current = true;
-        if (!isPressed.current) rest.begin();
+        if (!isPressed.current) releaseSoon();
       }}
       onPointerDown={({ button }) => {
         isPressed.current = button === 0 && !leaf.readOnly;

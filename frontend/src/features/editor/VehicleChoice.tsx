@@ -1,6 +1,6 @@
 /** Which vehicle it is: one with sources, one of the library, or values of one's own; and the vehicle as a file. */
 
-import { Button, Group as Row, Text } from "@mantine/core";
+import { Box, Button, Group as Row, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import type { JsonObject } from "../../api/types";
 import { useExportItem } from "../library/open";
@@ -10,9 +10,9 @@ import { useEdit, useFromScenario, useLab, useReadOnly } from "../../lab/context
 import { formatFixed, formatResult } from "../../units/format";
 import { vehiclesQuery } from "../../server/queries";
 import { completed } from "../../scenario/differences";
-import classes from "./editor.module.css";
 import { getAt, sameValue, setAt, type Pointer } from "../../scenario/path";
 import type { Group } from "../../scenario/schema";
+import { DataTable } from "../../ui/DataTable";
 import { Choice } from "../../ui/Entry";
 
 /** Those with sources, and those of the library. */
@@ -99,23 +99,18 @@ function VehicleFacts({ pointer }: { readonly pointer: Pointer }) {
     ["Natural frequency, wheel", mode("front", "wheel"), mode("rear", "wheel")],
   ] as const;
   return (
-    <table className={classes.facts} aria-label="What the vehicle’s values come to">
-      <thead>
-        <tr>
-          <td />
-          <th scope="col">Front</th>
-          <th scope="col">Rear</th>
-        </tr>
-      </thead>
-      <tbody>
-        {rows.map(([name, front, rear]) => (
-          <tr key={name}>
-            <th scope="row">{name}</th>
-            <td>{front}</td>
-            <td>{rear}</td>
-          </tr>
-        ))}
-      </tbody>
-    </table>
+    <Box flex="1 0 calc(100% + 1.8rem)" mx="-0.9rem">
+      <DataTable
+        label="What the vehicle’s values come to"
+        attributes={{ "data-dense": true, style: { fontSize: "var(--mantine-font-size-xs)" } }}
+        rows={rows}
+        rowKey={([name]) => name}
+        columns={[
+          { key: "name", head: "", text: true, cell: ([name]) => name },
+          { key: "front", head: "Front", cell: ([, front]) => front },
+          { key: "rear", head: "Rear", cell: ([, , rear]) => rear },
+        ]}
+      />
+    </Box>
   );
 }

@@ -14,7 +14,6 @@ import { useLabStrategies } from "../../lab/recordings";
 import { useFigures, useForm } from "../../server/useCatalogues";
 import { axisKey, makeResultView } from "../../lab/resultView";
 import { asCommand, asCurl, asPython, type CopyRequest } from "./copyAs";
-import classes from "./export.module.css";
 import { plotsImage } from "./image";
 import { settledCurves } from "../../plots/curves";
 import { useCopied } from "../../ui/useCopied";
@@ -102,13 +101,15 @@ export function ExportMenu() {
             {copied ? "Copied" : "Export"}
           </Button>
         </Menu.Target>
-        <Menu.Dropdown className={classes.dropdown ?? ""}>
+        <Menu.Dropdown mah="calc(100vh - 5rem)" style={{ overflowY: "auto" }}>
           <Menu.Label>Time histories, full resolution</Menu.Label>
           {strategies
             .filter(({ id }) => computed.split(",").includes(id) && selected.includes(id))
             .map(({ id, label }) => (
-              <div key={id} className={classes.files}>
-                <span className={classes.file}>{label}</span>
+              <Group key={id} gap={0} wrap="nowrap">
+                <Text flex={1} pl="0.75rem" truncate>
+                  {label}
+                </Text>
                 {FORMATS.map(({ format, label: name }) => (
                   <Menu.Item
                     key={format}
@@ -127,7 +128,7 @@ export function ExportMenu() {
                     {name}
                   </Menu.Item>
                 ))}
-              </div>
+              </Group>
             ))}
           <Menu.Label>Everything in one file</Menu.Label>
           <ActionItem id="report" icon="FileText" />
@@ -160,7 +161,8 @@ export function ExportMenu() {
           maxRows={14}
           data-autofocus
           aria-label="Text to copy"
-          classNames={{ input: classes.code ?? "" }}
+          size="xs"
+          styles={{ input: { fontFamily: "var(--mantine-font-family-monospace)" } }}
           value={refused ?? ""}
           onFocus={(event) => event.currentTarget.select()}
         />

@@ -7,14 +7,13 @@ import type { FrequencyAnswer, FrequencyRequest, Scenario, Strategy } from "../.
 import { useCatalogue } from "../../server/useCatalogues";
 import type { ResultView } from "../../lab/resultView";
 import { PALETTES, type Palette } from "../../plots/palettes";
-import { StillSurface } from "../../plots/Surface";
+import { SmallFigure } from "../../plots/Surface";
 import { Fault, Note } from "../../ui/Messages";
 import { prettyUnit, formatFixed, formatNumber, NO_VALUE } from "../../units/format";
-import classes from "./frequency.module.css";
-import ui from "../../ui/ui.module.css";
 import { DataTable } from "../../ui/DataTable";
 import { StrategyName } from "../../ui/StrategyKey";
 import { Choice } from "../../ui/Entry";
+import { Columns } from "../../ui/Card";
 import { marked, panelLayout, verticalRange } from "../../plots/figure";
 import type { PanelFigure, PlotTrace } from "../../plots/plotly";
 import { useLatest } from "../../lib/latest";
@@ -76,21 +75,17 @@ export function FrequencyCard({ resultView }: { readonly resultView: ResultView 
         there is no margin.
       </Note>
       {error && <Fault>{error.message}</Fault>}
-      <div className={classes.charts}>
+      <Columns least="max(27rem, 40%)" gap="0.6rem 1rem">
         {figures.map(({ title, unit: own, figure }) => (
-          <figure key={title} className={ui.figure}>
-            <figcaption>
-              {title}{" "}
-              <span className={ui.dim}>
-                [{title === "Gain" || title.startsWith("Spectrum") ? `${own}, 0 is 1 ${spectral(title, unit)}` : own}]
-              </span>
-            </figcaption>
-            <div role="img" aria-label={`${title} over frequency`} style={{ height: 176 }}>
-              <StillSurface figure={figure} />
-            </div>
-          </figure>
+          <SmallFigure
+            key={title}
+            {...{ title, figure }}
+            unit={title === "Gain" || title.startsWith("Spectrum") ? `${own}, 0 is 1 ${spectral(title, unit)}` : own}
+            label={`${title} over frequency`}
+            height={176}
+          />
         ))}
-      </div>
+      </Columns>
       {answer && (
         <>
           <BandsTable {...{ answer, strategies, signal, unit }} />
@@ -199,7 +194,9 @@ function MarginsTable({ answer, strategies }: BandsTableProps) {
           head: "modes",
           detail: "Hz, damping ratio",
           text: true,
-          cell: ({ id }) => <span className={classes.modes}>{modesText(answer.strategies[id]?.modes ?? [])}</span>,
+          cell: ({ id }) => (
+            <span style={{ whiteSpace: "nowrap" }}>{modesText(answer.strategies[id]?.modes ?? [])}</span>
+          ),
         },
       ]}
     />

@@ -22,11 +22,11 @@ import {
   withConclusion,
 } from "./ruleBase";
 import { SetsEditor } from "./SetsEditor";
-import classes from "./fuzzy.module.css";
 import { useQuery } from "@tanstack/react-query";
 import { ask } from "../../api/http";
 import { ApiProblem, type FieldError } from "../../api/problem";
 import type { FuzzyAnswer, JsonValue } from "../../api/types";
+import { DataTable } from "../../ui/DataTable";
 import { Choice } from "../../ui/Entry";
 import { extent } from "../../lib/samples";
 import { useLatest } from "../../lib/latest";
@@ -123,58 +123,51 @@ interface RulesTableProps {
 }
 
 const NO_RULE = "";
+const PADDING = { style: { paddingInline: 1 } };
+const NARROW = { headAttributes: PADDING, attributes: () => PADDING };
 const nameOf = (set: string | null) => set ?? "any";
 
 function RulesTable({ base, rewritten }: RulesTableProps) {
   const [edit, readOnly] = [useEdit(), useReadOnly()];
   const [rows, columns] = [base.distance, base.speed_error].map((sets) => [...sets.map(({ name }) => name), null]);
+  const cellOf = (speed_error: string | null) =>
+    function RuleCell(distance: string | null) {
+      const cell = { speed_error, distance };
+      const then = conclusions(base, cell);
+      const several = then.length > 1 ? [{ value: "several", label: then.join(", "), disabled: true }] : [];
+      if (distance === null && speed_error === null) return null;
+      return (
+        <Choice
+          miw="3.4rem"
+          aria-label={`Distance ${nameOf(distance)}, speed error ${nameOf(speed_error)}`}
+          disabled={readOnly}
+          value={several[0]?.value ?? then[0] ?? NO_RULE}
+          data={[{ value: NO_RULE, label: "–" }, ...base.torque.map(({ name }) => name), ...several]}
+          onPick={(value) =>
+            edit.commit(
+              rewritten(edit.newest(), (before) => withConclusion(before, cell, value === NO_RULE ? null : value)),
+            )
+          }
+        />
+      );
+    };
   return (
-    <div className={classes.scrolled}>
-      <table className={classes.rules} aria-label="Rules: the torque for each distance and speed error">
-        <thead>
-          <tr>
-            <th scope="col">distance ↓ error →</th>
-            {columns?.map((name) => (
-              <th key={nameOf(name)} scope="col">
-                {nameOf(name)}
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {rows?.map((distance) => (
-            <tr key={nameOf(distance)}>
-              <th scope="row">{nameOf(distance)}</th>
-              {columns?.map((speed_error) => {
-                const cell = { speed_error, distance };
-                const then = conclusions(base, cell);
-                const several = then.length > 1 ? [{ value: "several", label: then.join(", "), disabled: true }] : [];
-                return (
-                  <td key={nameOf(speed_error)}>
-                    {(distance !== null || speed_error !== null) && (
-                      <Choice
-                        size="xs"
-                        aria-label={`Distance ${nameOf(distance)}, speed error ${nameOf(speed_error)}`}
-                        disabled={readOnly}
-                        value={several[0]?.value ?? then[0] ?? NO_RULE}
-                        data={[{ value: NO_RULE, label: "–" }, ...base.torque.map(({ name }) => name), ...several]}
-                        onPick={(value) =>
-                          edit.commit(
-                            rewritten(edit.newest(), (before) =>
-                              withConclusion(before, cell, value === NO_RULE ? null : value),
-                            ),
-                          )
-                        }
-                      />
-                    )}
-                  </td>
-                );
-              })}
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </div>
+    <DataTable
+      label="Rules: the torque for each distance and speed error"
+      attributes={{ "data-dense": true }}
+      rows={rows ?? []}
+      rowKey={nameOf}
+      columns={[
+        { key: "distance", head: "distance ↓ error →", text: true, cell: nameOf },
+        ...(columns ?? []).map((name) => ({
+          key: nameOf(name),
+          head: nameOf(name),
+          text: true,
+          cell: cellOf(name),
+          ...NARROW,
+        })),
+      ]}
+    />
   );
 }
 

@@ -7,7 +7,7 @@ import { useLabContext } from "../../lab/context";
 import { cursor } from "../../lab/cursor";
 import { type ResultView, axisKey } from "../../lab/resultView";
 import { PALETTES } from "../../plots/palettes";
-import { StillSurface } from "../../plots/Surface";
+import { SmallFigure } from "../../plots/Surface";
 import { DataTable } from "../../ui/DataTable";
 import { Fault, Note } from "../../ui/Messages";
 import { Icon } from "../../ui/icons";
@@ -17,7 +17,6 @@ import { LineKey } from "../../ui/StrategyKey";
 import { useCopied } from "../../ui/useCopied";
 import { formatFixed, formatResult } from "../../units/format";
 import { horizonFigures, REAR_DASH } from "./horizon";
-import classes from "./instant.module.css";
 import ui from "../../ui/ui.module.css";
 import { useThrottledCallback } from "@mantine/hooks";
 import { useEffect } from "react";
@@ -98,9 +97,9 @@ function Seen({ answer, colour, seed }: SeenProps) {
         {place}
         {seed && ", first road"}
       </Note>
-      <p className={classes.why} data-testid="why">
+      <Text mih="2.8em" fz="sm" fw={500} lh={1.4} data-testid="why">
         {why.replace(/-(?=\d)/g, "−")}
-      </p>
+      </Text>
       <Group gap="0.9rem" fz="xs">
         <span className={ui.named}>
           <LineKey colour={colour} /> front
@@ -110,14 +109,12 @@ function Seen({ answer, colour, seed }: SeenProps) {
         </span>
       </Group>
       {horizonFigures(answer, colour, palette).map(({ title, unit, figure }) => (
-        <figure key={title} className={ui.figure}>
-          <figcaption>
-            {title} <span className={ui.dim}>[{unit}]</span>
-          </figcaption>
-          <div role="img" aria-label={`${title} in ${unit} over the horizon`} style={{ height: 104 }}>
-            <StillSurface figure={figure} />
-          </div>
-        </figure>
+        <SmallFigure
+          key={title}
+          {...{ title, unit, figure }}
+          label={`${title} in ${unit} over the horizon`}
+          height={104}
+        />
       ))}
       <Forces answer={answer} />
       <Limits answer={answer} />
@@ -165,7 +162,7 @@ function Limits({ answer: { limits } }: { readonly answer: InstantAnswer }) {
       label="Limits"
       rows={limits}
       rowKey={({ name }) => name}
-      rowAttributes={({ distance }) => (distance <= 0 ? { className: classes.binding } : {})}
+      rowAttributes={({ distance }) => ({ "data-strong": distance <= 0 || undefined })}
       columns={[
         { key: "name", head: "Limit", text: true, cell: ({ name }) => limitName(name) },
         {

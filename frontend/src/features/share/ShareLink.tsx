@@ -1,13 +1,12 @@
 /** One click makes a link, copies it and shows it; where copying is refused, the address stands there to be copied. */
 
-import { Button, Popover, Text, ActionIcon, TextInput } from "@mantine/core";
+import { Button, Popover, Text, ActionIcon, Stack, TextInput } from "@mantine/core";
 import { useRef, useState, useEffect } from "react";
 import { Icon } from "../../ui/icons";
 import { explain } from "../../api/problem";
 import type { NewLink } from "../../api/types";
 import { copyWhenThere, useCopied } from "../../ui/useCopied";
 import { useAction, useActionButton } from "../../lab/actions";
-import classes from "./share.module.css";
 import { Note } from "../../ui/Messages";
 import { compact } from "../../ui/IconButton";
 
@@ -62,7 +61,7 @@ export function ShareLink({ make, obstacle, opens }: Props) {
           data-hint={opened ? undefined : (obstacle ?? "Makes a link that opens exactly this")}
           variant="light"
           aria-label={label}
-          classNames={{ ...compact, root: `${compact.root} ${classes.button}` }}
+          classNames={compact}
           leftSection={<Icon name="Link" size={15} />}
           loading={outcome?.kind === "making"}
           {...(obstacle === null ? {} : { "data-disabled": true })}
@@ -73,24 +72,26 @@ export function ShareLink({ make, obstacle, opens }: Props) {
           {label}
         </Button>
       </Popover.Target>
-      <Popover.Dropdown role="dialog" aria-label="Share" className={classes.dropdown ?? ""}>
-        {outcome?.kind === "created" && (
-          <>
-            <Text fw={600} role="status">
-              {outcome.copied ? "Link copied" : "Here is the link: select and copy it"}
-            </Text>
-            <LinkField url={outcome.url} />
-            <Note>{opens}</Note>
-          </>
-        )}
-        {outcome?.kind === "failed" && (
-          <>
-            <Text fw={600} role="alert">
-              No link could be created: {outcome.message}
-            </Text>
-            <Button onClick={share}>Try again</Button>
-          </>
-        )}
+      <Popover.Dropdown role="dialog" aria-label="Share" maw="calc(100vw - 1rem)">
+        <Stack gap="0.5rem">
+          {outcome?.kind === "created" && (
+            <>
+              <Text fw={600} role="status">
+                {outcome.copied ? "Link copied" : "Here is the link: select and copy it"}
+              </Text>
+              <LinkField url={outcome.url} />
+              <Note>{opens}</Note>
+            </>
+          )}
+          {outcome?.kind === "failed" && (
+            <>
+              <Text fw={600} role="alert">
+                No link could be created: {outcome.message}
+              </Text>
+              <Button onClick={share}>Try again</Button>
+            </>
+          )}
+        </Stack>
       </Popover.Dropdown>
     </Popover>
   );

@@ -12,12 +12,12 @@ import { fullName, type Metric } from "../../server/metrics";
 import { ticksFor } from "../../plots/figure";
 import { StrategyName } from "../../ui/StrategyKey";
 import { formatResult, prettyUnit } from "../../units/format";
-import classes from "./solve.module.css";
 import ui from "../../ui/ui.module.css";
 
 /** No metric is larger: the whole range keeps it, and each of its values is driven. */
 const NO_LIMIT = 1e12;
 const HEIGHT = 190;
+const CHART = { display: "block", fontSize: "var(--mantine-font-size-xs)", touchAction: "none" };
 const MARGIN = { left: 44, right: 26, top: 8, bottom: 22 };
 
 export interface CurveQuestion extends Omit<Question, "strategy" | "field" | "limit"> {
@@ -126,7 +126,7 @@ function Drawing({ curves, field, figure, limit, onLimit }: DrawingProps) {
   const name = `${fullName(figure)} over ${field.title}`;
   return (
     <div ref={ref}>
-      <svg width={width} height={HEIGHT} className={classes.chart} role="group" aria-label={name}>
+      <svg width={width} height={HEIGHT} style={CHART} role="group" aria-label={name}>
         <Axes {...{ across, up, toX, toY, field, figure }} />
         {curves.map(({ strategy: { id, colour }, points }) => (
           <g key={id} stroke={colour}>
@@ -137,7 +137,8 @@ function Drawing({ curves, field, figure, limit, onLimit }: DrawingProps) {
           </g>
         ))}
         <g
-          className={classes.limit}
+          cursor="ns-resize"
+          fill="var(--danger)"
           role="slider"
           tabIndex={0}
           aria-label="Limit"
@@ -160,7 +161,15 @@ function Drawing({ curves, field, figure, limit, onLimit }: DrawingProps) {
           }}
         >
           <rect x={MARGIN.left} width={wide} y={toY(shown) - 12} height={24} fill="transparent" />
-          <line x1={MARGIN.left} x2={MARGIN.left + wide} y1={toY(shown)} y2={toY(shown)} />
+          <line
+            stroke="var(--danger)"
+            strokeWidth={1.5}
+            strokeDasharray="6 4"
+            x1={MARGIN.left}
+            x2={MARGIN.left + wide}
+            y1={toY(shown)}
+            y2={toY(shown)}
+          />
           <text x={MARGIN.left + 4} y={toY(shown) - 5}>
             limit {formatResult(shown * scale)} {prettyUnit(unit)}
           </text>
@@ -183,11 +192,11 @@ function Axes({ across, up, toX, toY, field, figure }: AxesProps) {
   const rows = ticksFor([up[0] * figure.scale, up[1] * figure.scale], 5);
   const [left, right, bottom, top] = [toX(across[0]), toX(across[1]), toY(up[0]), toY(up[1])];
   return (
-    <g className={classes.axes} aria-hidden>
+    <g stroke="var(--line)" fill="var(--muted)" aria-hidden>
       {columns.values.map((value, index) => (
         <g key={value}>
           <line x1={toX(value / xScale)} x2={toX(value / xScale)} y1={bottom} y2={top} />
-          <text x={toX(value / xScale)} y={bottom + 15} textAnchor="middle">
+          <text x={toX(value / xScale)} y={bottom + 15} textAnchor="middle" stroke="none">
             {columns.texts[index]}
           </text>
         </g>
@@ -195,7 +204,7 @@ function Axes({ across, up, toX, toY, field, figure }: AxesProps) {
       {rows.values.map((value, index) => (
         <g key={value}>
           <line x1={left} x2={right} y1={toY(value / figure.scale)} y2={toY(value / figure.scale)} />
-          <text x={left - 4} y={toY(value / figure.scale) + 4} textAnchor="end">
+          <text x={left - 4} y={toY(value / figure.scale) + 4} textAnchor="end" stroke="none">
             {rows.texts[index]}
           </text>
         </g>

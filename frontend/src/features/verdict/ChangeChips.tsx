@@ -13,10 +13,11 @@ import { VIEWS, changeBetween, comparedMetrics } from "../tables/entries";
 import { metricName, type WindowMetric } from "../../lab/metricPath";
 import { requiredOf } from "../requirements/judged";
 import { EqualSpeed, usePairedChanges } from "./VerdictLine";
-import classes from "./verdict.module.css";
 import ui from "../../ui/ui.module.css";
 import type { Change } from "../tables/change";
 import { RequirementMarks } from "../requirements/RequirementsCard";
+
+const LOOK = { gap: "0.25rem 0.5rem", mih: 30, px: "0.2rem", fz: "xs", c: "dimmed" };
 
 export function ChangeChips({ resultView }: { readonly resultView: ResultView }) {
   const words = useLabels();
@@ -35,15 +36,15 @@ export function ChangeChips({ resultView }: { readonly resultView: ResultView })
   if (before === null && readOnly) return null;
   if (before === null || note)
     return (
-      <div className={classes.chips} data-unprinted>
+      <Group {...LOOK} data-unprinted>
         {note} <EqualSpeed resultView={resultView} />
-      </div>
+      </Group>
     );
   const changes = editChanges(resultView, before, words.catalogue, paired);
   const strategy = strategies.find(({ id }) => id === picked) ?? changedMost(changes, strategies);
   const of = changes.filter((each) => each.strategy === strategy?.id);
   return (
-    <div className={classes.chips} data-unprinted role="group" aria-label={`Changes against the state ${before.name}`}>
+    <Group {...LOOK} data-unprinted role="group" aria-label={`Changes against the state ${before.name}`}>
       <Choice
         size="xs"
         aria-label="Changes of"
@@ -69,7 +70,7 @@ export function ChangeChips({ resultView }: { readonly resultView: ResultView })
         </Group>
       ))}
       <EqualSpeed resultView={resultView} />
-    </div>
+    </Group>
   );
 }
 

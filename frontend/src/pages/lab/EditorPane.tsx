@@ -42,7 +42,10 @@ export function EditorPane() {
         variant="filled"
         data-tour="edit"
         data-unprinted
-        className={classes.editButton ?? ""}
+        pos="fixed"
+        right="1rem"
+        bottom="1rem"
+        style={{ zIndex: 40, boxShadow: "0 4px 16px rgb(0 0 0 / 25%)" }}
         leftSection={<Icon name="AdjustmentsHorizontal" size={18} />}
         onClick={open}
       >
@@ -58,7 +61,11 @@ export function EditorPane() {
         lockScroll={false}
         trapFocus={false}
         closeOnClickOutside={false}
-        classNames={{ content: classes.sheet ?? "", header: classes.sheetHeader ?? "", body: classes.sheetBody ?? "" }}
+        classNames={{ content: classes.sheet ?? "" }}
+        styles={{
+          header: { minHeight: "2.75rem", padding: "0.25rem 1rem", background: "inherit" },
+          body: { padding: 0 },
+        }}
         attributes={{ header: { role: "none" } }} // the page's own is the banner
         closeButtonProps={{ "aria-label": "Close the form" }}
       >

@@ -53,9 +53,12 @@ export function LabMain({ strategies }: { readonly strategies: readonly Strategy
     () => (
       <>
         <Group gap="0 1rem" align="baseline" justify="space-between" mt="0.45rem">
-          <h1 className={classes.purpose}>
-            What-if laboratory for active suspension. <span>LV: longitudinal (speed) and vertical control.</span>
-          </h1>
+          <Text component="h1" size="sm" fw={600} lh={1.3} c="dimmed">
+            What-if laboratory for active suspension.{" "}
+            <Text span inherit fw={400}>
+              LV: longitudinal (speed) and vertical control.
+            </Text>
+          </Text>
           <FromPage />
         </Group>
         <LazyPart>

@@ -14,6 +14,11 @@ import ui from "../../ui/ui.module.css";
 /** A swatch is small: the shading three times over, so that it can be told apart. */
 const layered = (fill = "transparent") => Array<string>(3).fill(`linear-gradient(${fill}, ${fill})`).join(", ");
 
+const BAND = {
+  borderColor: "transparent",
+  background: "linear-gradient(rgb(127 127 127 / 30%) 42%, rgb(127 127 127) 42% 58%, rgb(127 127 127 / 30%) 58%)",
+};
+
 export function StageLegend({ resultView }: { readonly resultView: ResultView }) {
   const catalogue = useCatalogue();
   const meta = Object.values(useFigures())[0]?.layout.meta;
@@ -46,7 +51,7 @@ export function StageLegend({ resultView }: { readonly resultView: ResultView })
         </span>
       ))}
       <span>
-        <span className={classes.dashes} style={{ borderTopColor: meta?.neutral }} /> limit, static load or target
+        <LineKey colour={meta?.neutral ?? "currentColor"} width={1.5} dash="4 2" /> limit, static load or target
       </span>
       {layers.map(({ name, line }, index) => (
         <span key={index} data-layer={name}>
@@ -55,13 +60,12 @@ export function StageLegend({ resultView }: { readonly resultView: ResultView })
       ))}
       {hasBand && (
         <span>
-          <span className={`${ui.area} ${classes.band}`} /> range: minimum to maximum of {resultView.shown.over?.roads}{" "}
-          roads
+          <span className={ui.area} style={BAND} /> range: minimum to maximum of {resultView.shown.over?.roads} roads
         </span>
       )}
       {(airborne || hasBand) && (
         <span>
-          <span className={`${ui.area} ${classes.airborne}`} /> tyre off the road
+          <span className={ui.area} style={{ background: "rgb(127 127 127 / 45%)" }} /> tyre off the road
           {hasBand && " on at least one road"}
         </span>
       )}

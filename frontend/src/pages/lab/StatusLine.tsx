@@ -1,8 +1,8 @@
 /** Whether the shown answer was stored or computed, and what it cost. */
 
+import { Text } from "@mantine/core";
 import { useLab } from "../../lab/context";
 import type { Result } from "../../lab/result";
-import classes from "../../ui/shell.module.css";
 
 const ms = (value: number) => `${value < 9.5 ? value.toFixed(1) : value.toFixed(0)} ms`;
 
@@ -17,7 +17,7 @@ function describe({ source, timing }: Result): string {
 }
 
 interface Props {
-  /** Where it stands: in the header, or under it where the header has no room. */
+  /** In the header, or under it where the header has no room. */
   readonly position: "header" | "page";
 }
 
@@ -25,14 +25,19 @@ export function StatusLine({ position }: Props) {
   const shown = useLab((state) => state.shown);
   const behind = useLab((state) => state.stale && !state.busy);
   return (
-    <p
-      className={classes.status}
-      data-position={position}
+    <Text
+      size="xs"
+      c="dimmed"
+      truncate
+      flex="0 1 auto"
+      miw={0}
+      ml="0.3rem"
+      {...(position === "header" ? { visibleFrom: "lg" } : { hiddenFrom: "lg", mb: "0.5rem" })}
       data-unprinted
       data-testid={`status-${position}`}
       title={shown ? `Computed by core ${shown.coreVersion}` : ""}
     >
       {shown ? (behind ? "The last result: the form has changed since" : describe(shown)) : "\u00a0"}
-    </p>
+    </Text>
   );
 }

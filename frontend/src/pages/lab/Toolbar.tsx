@@ -1,6 +1,6 @@
 /** Which strategies are shown, over what, and which part of the run. */
 
-import { Button, SegmentedControl, Menu } from "@mantine/core";
+import { Group, Button, SegmentedControl, Menu } from "@mantine/core";
 import { memo, useLayoutEffect, useRef, useState } from "react";
 import type { Strategy, StrategyId } from "../../api/types";
 import { useAction, useActionButton, type ActionId } from "../../lab/actions";
@@ -144,7 +144,7 @@ export const StrategyChoice = memo(function StrategyChoice({
   const chips = useChips(selected);
   return (
     <div className={bar.choice}>
-      <div className={bar.chips} role="group" aria-label="Strategies">
+      <Group gap="0.3rem 0.4rem" miw={0} mih={34} role="group" aria-label="Strategies">
         {strategies
           .filter(({ id }) => chips.includes(id))
           .map((strategy) => (
@@ -162,7 +162,7 @@ export const StrategyChoice = memo(function StrategyChoice({
               {strategy.label}
             </button>
           ))}
-      </div>
+      </Group>
       <Menu position="bottom-start" width={300}>
         <Menu.Target>
           <Button
