@@ -1,6 +1,6 @@
 /** Runs, links and curves: what the page reads in another form than the server answers. */
 
-import { decodeBand, decodeSeries } from "./decode";
+import { decodeBand, decodeSeries, mapped } from "./decode";
 import { ask, askFile } from "./http";
 import type {
   Link,
@@ -10,7 +10,6 @@ import type {
   SeriesByStrategy,
   StrategyId,
   Failure,
-  Interval,
   OverRoads,
   RoadsAnswer,
   Run,
@@ -21,11 +20,6 @@ import type {
 
 /** Over how many roads, and which strategy the changes refer to. */
 export type RoadsOptions = Pick<RunRequest, "roads" | "baseline">;
-
-const decoded = <Encoded>(
-  strategies: Readonly<Record<StrategyId, Encoded>>,
-  decode: (encoded: Encoded) => SeriesByStrategy[string],
-): SeriesByStrategy => Object.fromEntries(Object.entries(strategies).map(([name, encoded]) => [name, decode(encoded)]));
 
 const curves = (strategies: readonly StrategyId[], points: number, signals: readonly string[] | null) =>
   ({ strategy: strategies.join(","), points, encoding: "base64", signals: signals?.join(",") ?? null }) as const;
@@ -42,16 +36,10 @@ export const api = {
     const link = await ask("get", "/links/{slug}", { path: { slug } }, signal);
     return { ...link, run: link.run && readRun(link.run) };
   },
-  live: async (body: Omit<LiveRequest, "encoding">, signal?: AbortSignal) =>
-    decodeLive(
-      await askFile(
-        "post",
-        "/live",
-        { body: { ...body, encoding: "binary" } },
-        (response) => response.arrayBuffer(),
-        signal,
-      ),
-    ),
+  live: async (body: Omit<LiveRequest, "encoding">, signal?: AbortSignal) => {
+    const question = { body: { ...body, encoding: "binary" } } as const;
+    return decodeLive(await askFile("post", "/live", question, (response) => response.arrayBuffer(), signal));
+  },
 
   series: async (
     id: string,
@@ -60,13 +48,9 @@ export const api = {
     signal?: AbortSignal,
     signals: readonly string[] | null = null,
   ) => {
-    const answer = await ask(
-      "get",
-      "/runs/{id}/series",
-      { path: { id }, query: curves(strategies, points, signals) },
-      signal,
-    );
-    return decoded("strategies" in answer ? answer.strategies : { [answer.strategy]: answer.series }, decodeSeries);
+    const question = { path: { id }, query: curves(strategies, points, signals) };
+    const answer = await ask("get", "/runs/{id}/series", question, signal);
+    return mapped("strategies" in answer ? answer.strategies : { [answer.strategy]: answer.series }, decodeSeries);
   },
   /** Of a run over several roads: means and extremes. */
   bands: async (
@@ -76,33 +60,12 @@ export const api = {
     points: number,
     signal?: AbortSignal,
   ) => {
-    return decoded(
-      (await ask("get", "/runs/{id}/bands", { path: { id }, query: curves(strategies, points, signals) }, signal))
-        .strategies,
-      decodeBand,
-    );
+    const question = { path: { id }, query: curves(strategies, points, signals) };
+    return mapped((await ask("get", "/runs/{id}/bands", question, signal)).strategies, decodeBand);
   },
 };
 
 export type Api = typeof api;
-
-type Means = Pick<Summary, "metrics" | "comfort">;
-
-function mapped<Value, Result>(
-  entries: Readonly<Record<string, Value>>,
-  change: (value: Value) => Result,
-): Record<string, Result> {
-  return Object.fromEntries(Object.entries(entries).map(([key, value]) => [key, change(value)]));
-}
-
-const mean = (interval: Interval) => interval.mean;
-
-function meansOf({ metrics, comfort }: OverRoads["estimates"][StrategyId]): Means {
-  return {
-    metrics: mapped(metrics, (signals) => mapped(signals, ({ rms, peak }) => ({ rms: rms.mean, peak: peak.mean }))),
-    comfort: mapped(comfort, mean),
-  };
-}
 
 /** A run as the page has it. */
 export function readRun(answer: RunAnswer | RoadsAnswer): Run {
@@ -114,7 +77,11 @@ export function readRun(answer: RunAnswer | RoadsAnswer): Run {
     if (entry.status === "ok") {
       const { metrics, comfort } = entry;
       estimates[id] = { metrics, comfort };
-      means[id] = { ...entry, ...meansOf(entry) };
+      means[id] = {
+        ...entry,
+        metrics: mapped(metrics, (signals) => mapped(signals, ({ rms, peak }) => ({ rms: rms.mean, peak: peak.mean }))),
+        comfort: mapped(comfort, ({ mean }) => mean),
+      };
     } else means[id] = entry;
   }
   return { ...run, strategies: means, over: { roads, baseline, changes, estimates } };

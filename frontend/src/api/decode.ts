@@ -19,9 +19,15 @@ export const minimumOf = (signal: string) => `${signal}.minimum`;
 export const maximumOf = (signal: string) => `${signal}.maximum`;
 export const isExtreme = (key: string) => key.includes(".");
 
-export function decodeSeries(encoded: Encoded): Series {
-  return Object.fromEntries(Object.entries(encoded).map(([signal, array]) => [signal, decodeArray(array)]));
+/** The same entries with other values. */
+export function mapped<Value, Result>(
+  entries: Readonly<Record<string, Value>>,
+  change: (value: Value) => Result,
+): Record<string, Result> {
+  return Object.fromEntries(Object.entries(entries).map(([key, value]) => [key, change(value)]));
 }
+
+export const decodeSeries = (encoded: Encoded): Series => mapped(encoded, decodeArray);
 
 /** Series over several roads: the means by signal, beside them the extremes. */
 export function decodeBand({ mean, minimum, maximum }: Band): Series {

@@ -70,7 +70,7 @@ const isApart = (target: EventTarget | null) =>
   target instanceof Element && target.closest("[role=dialog]") !== null && target.closest("[data-scenario]") === null;
 
 /** Follows what is typed: whether an input holds text that is not a value yet. */
-export function watchTyping() {
+function watchTyping() {
   let typed: { readonly input: EventTarget; readonly before: string } | null = null;
   const begin = ({ target, inputType }: InputEvent) => {
     if (inputType !== "insertLineBreak" && takesText(target) && typed?.input !== target)
@@ -97,7 +97,7 @@ export function watchTyping() {
 }
 
 /** Whether a key that stands for a command belongs to what has the focus. */
-export function belongsToFocus(target: EventTarget | null, keys: string, isTyping: boolean): boolean {
+function belongsToFocus(target: EventTarget | null, keys: string, isTyping: boolean): boolean {
   if (keys === "mod+K") return false;
   if (isApart(target)) return true;
   if (keys.startsWith("mod+")) return isTyping;

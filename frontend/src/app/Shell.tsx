@@ -125,15 +125,16 @@ export function PageFailed({ error }: { readonly error: unknown }) {
     ? error.message
     : `${messageOf(error)}. What was computed is stored at this address; loading it again shows it.`;
   return (
-    <InPlaceOfPage role="alert" title={isRefused ? "This page could not be shown" : "This page has failed"} text={text}>
-      <Button
-        size="sm"
-        variant="filled"
-        onClick={() => (isRefused ? void router.invalidate() : window.location.reload())}
-      >
-        {isRefused ? "Try again" : "Load again"}
-      </Button>
-    </InPlaceOfPage>
+    <InPlaceOfPage
+      role="alert"
+      title={isRefused ? "This page could not be shown" : "This page has failed"}
+      text={text}
+      action={
+        isRefused
+          ? { label: "Try again", onClick: () => void router.invalidate() }
+          : { label: "Load again", onClick: () => window.location.reload() }
+      }
+    />
   );
 }
 

@@ -2,6 +2,7 @@
 
 import { useEffect, useRef } from "react";
 import { createAtom, useSelector } from "@tanstack/react-store";
+import type { Pointer } from "../scenario/path";
 
 interface Declared {
   /** What the palette and the list of keys say. */
@@ -115,4 +116,17 @@ export function usePaletteEntries(own: readonly PaletteEntry[]): void {
     lists.add(list);
     return () => void lists.delete(list);
   }, []);
+}
+
+/** A field of the form that somebody looks for; `null` once it has been shown. */
+export const revealed = createAtom<Pointer | null>(null);
+
+/** Brings it into sight, ready to be changed. */
+export function focusField(pointer: Pointer): void {
+  const element = document.querySelector<HTMLElement>(`[data-pointer="${pointer}"]`);
+  element?.scrollIntoView({ block: "nearest" });
+  const entry = element?.matches("input")
+    ? element
+    : element?.querySelector<HTMLElement>("input:not([type=hidden]), select");
+  entry?.focus({ preventScroll: true });
 }

@@ -1,7 +1,8 @@
-/** The cursor all plots and the car share, and its playback. Outside React: it moves with every frame. */
+/** What somebody points at: a place of the run, which all plots and the car share (outside React: it moves with every frame), and a strategy. */
 
 import type { Axis } from "./address";
 import { createAtom, useSelector } from "@tanstack/react-store";
+import type { StrategyId } from "../api/types";
 
 /** Where somebody points, `null` while nobody does. */
 const store = createAtom<{ readonly axis: Axis; readonly at: number } | null>(null);
@@ -17,3 +18,20 @@ export const cursor = {
 };
 
 export const useCursor = (axis: Axis): number | null => useSelector(store, () => cursor.get(axis));
+
+const [pointed, held] = [createAtom<StrategyId | null>(null), createAtom<StrategyId | null>(null)];
+const isolated = createAtom(() => pointed.get() ?? held.get());
+
+/** The strategy whose curves stand out: the one that is pointed at, else the one that was tapped in the legend. */
+export const useIsolated = (): StrategyId | null => useSelector(isolated);
+
+/** For a legend's entry under the mouse; a finger leaves as it taps. */
+export const isolateWhilePointed = (id: StrategyId) => ({
+  onPointerEnter: ({ pointerType }: { readonly pointerType: string }) => {
+    if (pointerType === "mouse") pointed.set(id);
+  },
+  onPointerLeave: () => pointed.set(null),
+});
+
+/** Until it is tapped again. */
+export const holdIsolated = (id: StrategyId): void => held.set((before) => (before === id ? null : id));

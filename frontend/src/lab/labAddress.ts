@@ -2,23 +2,7 @@
 
 import { linkOptions, type RegisteredRouter } from "@tanstack/react-router";
 import { DEFAULT_VIEW, readLabSearch, searchOf, stringifySearch, viewOf, type Address, type View } from "./address";
-import { createAtom, type Atom } from "@tanstack/react-store";
-
-/** Its value is the address of what the lab shows, on whichever page the browser is. */
-export interface LabAddress extends Pick<Atom<Address>, "get" | "subscribe"> {
-  /** Shows another run; a new entry in the browser's history unless it is the same one. */
-  readonly showRun: (runId: string, view: Partial<View>, mode: "push" | "replace") => void;
-  /** The next run is no other page's: nothing leads back there. */
-  readonly clearFrom: () => void;
-  /** Changes how the run is looked at; no new entry. */
-  readonly setView: (change: Partial<View>) => void;
-  /** The address bar names something of the lab that is not shown: at once where it does so already. */
-  readonly onNavigate: (listener: (address: Address) => void) => void;
-  /** What the address bar names is shown now. */
-  readonly confirmNavigation: () => void;
-  /** What the address bar names is not waited for any more: it names again what is shown, as a new entry. */
-  readonly cancelNavigation: () => void;
-}
+import { createAtom } from "@tanstack/react-store";
 
 declare module "@tanstack/react-router" {
   interface HistoryState {
@@ -26,6 +10,8 @@ declare module "@tanstack/react-router" {
     ofLab?: true;
   }
 }
+
+export type LabAddress = ReturnType<typeof createLabAddress>;
 
 const START: Address = { runId: null, slug: null, view: DEFAULT_VIEW };
 
@@ -61,7 +47,7 @@ function readAddress(router: RegisteredRouter): Address | null {
 }
 
 /** `opening` is how a lab is looked at that opens as it was left; what an address says goes before. */
-export function createLabAddress(router: RegisteredRouter, opening = DEFAULT_VIEW): LabAddress {
+export function createLabAddress(router: RegisteredRouter, opening = DEFAULT_VIEW) {
   const named = readAddress(router);
   const saysNothing = named === null || isSame(named, START);
   const store = createAtom<Address>(saysNothing ? { ...START, view: opening } : named);
@@ -97,9 +83,11 @@ export function createLabAddress(router: RegisteredRouter, opening = DEFAULT_VIE
   };
 
   return {
+    /** The address of what the lab shows, on whichever page the browser is. */
     get: store.get,
     subscribe: store.subscribe,
-    showRun: (runId, view, mode) => {
+    /** Shows another run; a new entry in the browser's history unless it is the same one. */
+    showRun: (runId: string, view: Partial<View>, mode: "push" | "replace") => {
       const isSameRun = runId === current().runId;
       pending = null;
       store.set(({ from, view: before }) => ({
@@ -110,24 +98,29 @@ export function createLabAddress(router: RegisteredRouter, opening = DEFAULT_VIE
       }));
       write(store.get(), isSameRun || mode === "replace");
     },
+    /** The next run is no other page's: nothing leads back there. */
     clearFrom: () => store.set(({ runId, slug, view }) => ({ runId, slug, view })),
-    setView: (change) => {
+    /** Changes how the run is looked at; no new entry. */
+    setView: (change: Partial<View>) => {
       const changed = (address: Address): Address => ({ ...address, view: { ...address.view, ...change } });
       store.set(changed);
       pending = pending && changed(pending);
       write(current(), true);
     },
-    onNavigate: (listener) => {
+    /** The address bar names something of the lab that is not shown: at once where it does so already. */
+    onNavigate: (listener: (address: Address) => void) => {
       readAddressBar(listener);
       router.history.subscribe(({ location, action: { type } }) => {
         const isOwn = location.state.ofLab === true && (type === "PUSH" || type === "REPLACE");
         if (!isOwn) readAddressBar(listener);
       });
     },
+    /** What the address bar names is shown now. */
     confirmNavigation: () => {
       if (pending) store.set(pending);
       pending = null;
     },
+    /** What the address bar names is not waited for any more: it names again what is shown, as a new entry. */
     cancelNavigation: () => {
       if (pending === null) return;
       const { runId, slug } = pending;

@@ -2,20 +2,11 @@
 
 import { isLike } from "../lib/storage";
 import { LONGEST_NAME } from "../scenario/library";
-import { createAtom, type Atom } from "@tanstack/react-store";
+import { createAtom } from "@tanstack/react-store";
 
 export interface Pin {
   readonly name: string;
   readonly run: string;
-}
-
-export interface Pins extends Pick<Atom<readonly Pin[]>, "get" | "subscribe"> {
-  /** Does nothing where the run is pinned already, or there are as many as there may be. */
-  readonly add: (pin: Pin) => void;
-  readonly rename: (run: string, name: string) => void;
-  readonly remove: (run: string) => void;
-  /** Reads what another tab has changed. */
-  readonly refresh: () => void;
 }
 
 export const MOST_PINS = 8;
@@ -32,7 +23,7 @@ function parse(text: string | null): readonly Pin[] {
   }
 }
 
-export function createPins(storage: Storage | null): Pins {
+export function createPins(storage: Storage | null) {
   const store = createAtom<readonly Pin[]>([]);
   /** What the storage held last. */
   let stored: string | null = null;
@@ -60,14 +51,16 @@ export function createPins(storage: Storage | null): Pins {
   return {
     get: store.get,
     subscribe: store.subscribe,
+    /** Reads what another tab has changed. */
     refresh,
-    add: (pin) =>
+    /** Does nothing where the run is pinned already, or there are as many as there may be. */
+    add: (pin: Pin) =>
       change((pins) => (pins.length < MOST_PINS && pins.every(({ run }) => run !== pin.run) ? [...pins, pin] : pins)),
-    rename: (run, name) => {
+    rename: (run: string, name: string) => {
       const trimmed = name.trim().slice(0, LONGEST_NAME);
       if (trimmed !== "") change((pins) => pins.map((pin) => (pin.run === run ? { run, name: trimmed } : pin)));
     },
-    remove: (run) => change((pins) => pins.filter((pin) => pin.run !== run)),
+    remove: (run: string) => change((pins) => pins.filter((pin) => pin.run !== run)),
   };
 }
 

@@ -3,12 +3,6 @@
 import { useEffect, useState } from "react";
 import { isTransient } from "../api/problem";
 
-export interface Latest<Input> {
-  readonly request: (input: Input) => void;
-  /** Aborts what runs and forgets what waits. */
-  readonly cancel: () => void;
-}
-
 interface Handlers<Input, Answer> {
   readonly run: (input: Input, signal: AbortSignal) => Promise<Answer>;
   readonly onAnswer: (answer: Answer, input: Input) => void;
@@ -17,12 +11,7 @@ interface Handlers<Input, Answer> {
   readonly most?: number;
 }
 
-export function createLatest<Input, Answer>({
-  run,
-  onAnswer,
-  onError,
-  most = 1,
-}: Handlers<Input, Answer>): Latest<Input> {
+export function createLatest<Input, Answer>({ run, onAnswer, onError, most = 1 }: Handlers<Input, Answer>) {
   /** The oldest first. */
   let running: readonly AbortController[] = [];
   let waiting: { readonly input: Input } | null = null;
@@ -47,10 +36,11 @@ export function createLatest<Input, Answer>({
   };
 
   return {
-    request: (input) => {
+    request: (input: Input) => {
       if (running.length >= most) waiting = { input };
       else start(input);
     },
+    /** Aborts what runs and forgets what waits. */
     cancel: () => {
       for (const controller of running) controller.abort();
       running = [];

@@ -1,13 +1,8 @@
 /** One restartable timeout. */
 
-export interface Timer {
-  readonly start: () => void;
-  readonly stop: () => void;
-  /** Acts now if it would have acted later. */
-  readonly flush: () => void;
-}
+export type Timer = ReturnType<typeof createTimer>;
 
-export function createTimer(delayMs: number, action: () => void): Timer {
+export function createTimer(delayMs: number, action: () => void) {
   let handle: ReturnType<typeof setTimeout> | null = null;
   const stop = () => {
     if (handle !== null) clearTimeout(handle);
@@ -23,10 +18,5 @@ export function createTimer(delayMs: number, action: () => void): Timer {
       handle = setTimeout(act, delayMs);
     },
     stop,
-    flush: () => {
-      if (handle === null) return;
-      stop();
-      action();
-    },
   };
 }

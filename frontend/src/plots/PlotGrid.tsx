@@ -6,7 +6,6 @@ import { memo, useCallback, useLayoutEffect, useMemo, useState, useEffect } from
 import type { FigureTemplate, FigureMeta, SeriesByStrategy, Strategy } from "../api/types";
 import type { Zoom, Axis } from "../lab/address";
 import { useLabContext } from "../lab/context";
-import { useIsolated } from "../lab/isolated";
 import { partShown, type ResultView, axisKey } from "../lab/resultView";
 import { layersOf, sameCurves, shownCurves, type Curves, type CurvesSource, fileOf } from "./curves";
 import { PALETTES, type Palette } from "./palettes";
@@ -22,7 +21,7 @@ import { Surface } from "./Surface";
 import { useIntersection } from "@mantine/hooks";
 import { printing } from "../lib/printing";
 import type { FigureSource } from "./saved";
-import { useCursor } from "../lab/cursor";
+import { useCursor, useIsolated } from "../lab/cursor";
 import { formatFixed } from "../units/format";
 import { extent, valueAt } from "../lib/samples";
 

@@ -4,7 +4,7 @@ import type { JsonObject } from "../api/types";
 import { sameValue } from "./path";
 import { SCHEMA_VERSION, upgraded } from "./versions";
 import { isLike, ownStorage } from "../lib/storage";
-import { createAtom, type Atom, useSelector } from "@tanstack/react-store";
+import { createAtom, useSelector } from "@tanstack/react-store";
 
 export const KINDS = ["scenario", "vehicle", "road", "requirements"] as const;
 export type ItemKind = (typeof KINDS)[number];
@@ -18,18 +18,6 @@ export interface Item {
   readonly value: JsonObject;
   /** When, as an ISO date. */
   readonly saved: string;
-}
-
-/** All that change it throw an error where the browser keeps nothing, or the name is taken. */
-export interface Library extends Pick<Atom<readonly Item[]>, "get" | "subscribe"> {
-  /** Replaces what has this name. */
-  readonly save: (kind: ItemKind, name: string, value: JsonObject) => void;
-  /** Saves what came from a file, under another name where this one is taken; returns the name. What is there already stays. */
-  readonly add: (kind: ItemKind, name: string, value: JsonObject) => string;
-  readonly rename: (item: Item, name: string) => void;
-  readonly remove: (item: Item) => void;
-  /** Undoes `remove`, under another name where this one has been taken since. */
-  readonly restore: (item: Item) => void;
 }
 
 /** What the browser has of an item; `version` is the schema's, which core 0.3.0 and before did not store. */
@@ -69,11 +57,8 @@ function readAll(storage: Storage | null): readonly Item[] {
   return items.sort((one, other) => other.saved.localeCompare(one.saved));
 }
 
-/** `now` gives the time of saving. */
-export function createLibrary(
-  storage: Storage | null,
-  now: () => string = () => new Date().toISOString(),
-): Library & { readonly refresh: () => void } {
+/** `now` gives the time of saving. All that change it throw an error where the browser keeps nothing, or the name is taken. */
+export function createLibrary(storage: Storage | null, now: () => string = () => new Date().toISOString()) {
   const store = createAtom(readAll(storage));
   const refresh = () => store.set(readAll(storage));
   const write = (item: Item) => {
@@ -99,15 +84,18 @@ export function createLibrary(
     get: store.get,
     subscribe: store.subscribe,
     refresh,
-    save: (kind, name, value) => write({ kind, name: cleanName(name), value, saved: now() }),
-    add: (kind, name, value) => {
+    /** Replaces what has this name. */
+    save: (kind: ItemKind, name: string, value: JsonObject) =>
+      write({ kind, name: cleanName(name), value, saved: now() }),
+    /** Saves what came from a file, under another name where this one is taken; returns the name. What is there already stays. */
+    add: (kind: ItemKind, name: string, value: JsonObject) => {
       const same = readAll(storage).find((item) => item.kind === kind && sameValue(item.value, value));
       if (same) return same.name;
       const free = freeName(kind, cleanName(name));
       write({ kind, name: free, value, saved: now() });
       return free;
     },
-    rename: (item, name) => {
+    rename: (item: Item, name: string) => {
       const clean = cleanName(name);
       if (clean === "" || clean === item.name) return;
       if (has(item.kind, clean)) throw new Error(`There is a ${kindWord(item.kind)} of this name`);
@@ -115,11 +103,12 @@ export function createLibrary(
       storage?.removeItem(keyOf(item));
       refresh();
     },
-    remove: (item) => {
+    remove: (item: Item) => {
       storage?.removeItem(keyOf(item));
       refresh();
     },
-    restore: (item) => write({ ...item, name: freeName(item.kind, item.name) }),
+    /** Undoes `remove`, under another name where this one has been taken since. */
+    restore: (item: Item) => write({ ...item, name: freeName(item.kind, item.name) }),
   };
 }
 

@@ -1,13 +1,15 @@
-/** What pages need to know of the server before they show anything; each page's route has it fetched before. */
+/** What pages need to know of the server before they show anything, with its words for it; each page's route has it fetched before. */
 
 import { useSuspenseQuery, type QueryClient } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { useComputedColorScheme } from "@mantine/core";
-import { metricsOf } from "./metrics";
+import { metricsOf, shownUnit } from "./metrics";
 import { catalogueQuery, figuresQuery, presetsQuery, schemaQuery, strategiesQuery } from "./queries";
-import type { Strategy } from "../api/types";
+import type { Strategy, Catalogue, FigureTemplates } from "../api/types";
 import { printing } from "../lib/printing";
 import { useSelector } from "@tanstack/react-store";
+import type { ShownUnit } from "../units/quantity";
+import { prettyUnit } from "../units/format";
 
 /** What is drawn and said of any run. */
 export const loadResultWords = (queries: QueryClient) =>
@@ -59,4 +61,33 @@ export function useSchemeColours(strategies: readonly Strategy[]): readonly Stra
     () => (isDark ? strategies.map((strategy) => ({ ...strategy, colour: strategy.dark_colour })) : strategies),
     [strategies, isDark],
   );
+}
+
+function labelsOf(catalogue: Catalogue, strategies: readonly Strategy[], templates: FigureTemplates) {
+  const label = (list: Catalogue["signals"], key: string) => list.find((entry) => entry.key === key)?.label ?? key;
+  return {
+    catalogue,
+    strategy: (id: string) => strategies.find((strategy) => strategy.id === id)?.label ?? id,
+    signal: (key: string) => label(catalogue.signals, key),
+    /** The unit a signal is shown in, ready to read, and the factor to it. */
+    unit: (key: string): ShownUnit => {
+      const { unit, scale } = shownUnit(key, templates, catalogue);
+      return { unit: prettyUnit(unit), scale };
+    },
+    /** `RMS, rough road`. */
+    view: ({ window, statistic }: { readonly window: string; readonly statistic: string }) =>
+      `${label(catalogue.statistics, statistic)}, ${label(catalogue.windows, window).toLowerCase()}`,
+    /** A comfort or run figure's label with its unit. */
+    figure: (key: string) => {
+      const quantity = [...catalogue.comfort, ...catalogue.run_figures].find((entry) => entry.key === key);
+      return quantity ? `${quantity.label} [${prettyUnit(quantity.unit)}]` : key;
+    },
+  };
+}
+
+export type Labels = ReturnType<typeof labelsOf>;
+
+export function useLabels(): Labels {
+  const [catalogue, strategies, templates] = [useCatalogue(), useStrategies(), useFigures()];
+  return useMemo(() => labelsOf(catalogue, strategies, templates), [catalogue, strategies, templates]);
 }

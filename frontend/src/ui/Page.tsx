@@ -6,7 +6,6 @@ import { type ReactNode, createContext, use } from "react";
 import { createPortal } from "react-dom";
 import ui from "./ui.module.css";
 import shell from "./shell.module.css";
-import { useQueryClient } from "@tanstack/react-query";
 
 interface Props {
   /** Of the tab. */
@@ -64,11 +63,13 @@ export function ShellSlot({ name, children }: { readonly name: Slot; readonly ch
 interface BlankProps {
   readonly title: string;
   readonly text: string;
+  /** What leads on. */
+  readonly action?: { readonly label: string; readonly onClick: () => void };
   readonly children?: ReactNode;
 }
 
 /** Nothing chosen, nothing found, nothing yet. */
-export function Blank({ title, text, children }: BlankProps) {
+export function Blank({ title, text, action, children }: BlankProps) {
   return (
     <Stack className={ui.card ?? ""} align="center" justify="center" gap="0.7rem" mih="26rem" p="2rem">
       <svg width="180" height="46" viewBox="0 0 180 46" aria-hidden>
@@ -86,26 +87,13 @@ export function Blank({ title, text, children }: BlankProps) {
       <Text c="dimmed" maw={420} ta="center">
         {text}
       </Text>
+      {action && (
+        <Button size="sm" variant="filled" onClick={action.onClick}>
+          {action.label}
+        </Button>
+      )}
       {children}
     </Stack>
-  );
-}
-
-interface Failure {
-  readonly what?: string;
-  readonly message: string;
-  readonly onRetry?: () => void;
-  readonly retry?: string;
-}
-
-export function CouldNotLoad({ what = "page", message, onRetry, retry = "Try again" }: Failure) {
-  const queries = useQueryClient();
-  return (
-    <Blank title={`This ${what} could not be shown`} text={message}>
-      <Button size="sm" variant="filled" onClick={onRetry ?? (() => void queries.refetchQueries())}>
-        {retry}
-      </Button>
-    </Blank>
   );
 }
 

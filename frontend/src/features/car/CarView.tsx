@@ -15,7 +15,7 @@ import { restingCursor, dimensionsOf, scaleOf } from "./geometry";
 import { Card } from "../../ui/Card";
 import { formatExact } from "../../units/format";
 import { valueAt } from "../../lib/samples";
-import { Choice } from "../../ui/Entry";
+import { Choice, labelled } from "../../ui/Entry";
 
 const SPEEDS = [
   { value: "0.05", label: "1/20 speed" },
@@ -37,7 +37,7 @@ export function CarView({ resultView }: { readonly resultView: ResultView }) {
 
   const first = resultView.strategies.find(({ id }) => id === followed) ?? resultView.strategies[0];
   const other = resultView.strategies.find(({ id }) => id === second && id !== first?.id);
-  const names = resultView.strategies.map(({ id, label }) => ({ value: id, label }));
+  const names = labelled(resultView.strategies);
 
   const getScene = useEffectEvent(() => resultView);
   const getStrategy = useEffectEvent(() => first?.id ?? "");

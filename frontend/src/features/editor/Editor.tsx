@@ -6,7 +6,6 @@ import { useAction, useActionButton } from "../../lab/actions";
 import { useEdit, useFromScenario, useLab, useReadOnly } from "../../lab/context";
 import classes from "./editor.module.css";
 import { changedPointers, leavesOf, resetMember, type Leaf, OWN } from "../../scenario/differences";
-import { focusField, revealed } from "../../lab/reveal";
 import { useSelector } from "@tanstack/react-store";
 import { Members } from "./Members";
 import type { Pointer } from "../../scenario/path";
@@ -16,6 +15,7 @@ import { Fault } from "../../ui/Messages";
 import { prettyUnit } from "../../units/format";
 import { BumpDrawing } from "./BumpDrawing";
 import { useVehicles, VehicleChoice } from "./VehicleChoice";
+import { focusField, revealed } from "../../lab/actions";
 
 /** The options of controllers of one's own; each has a section of its own, there while the controller is chosen. */
 const isLaw = (pointer: Pointer) => pointer.startsWith(OWN);

@@ -133,20 +133,10 @@ export function ChoiceFieldRow({ field, leaf }: { readonly field: ChoiceField; r
   );
 }
 
-export interface LeafState {
-  readonly value: JsonValue | undefined;
-  readonly readOnly: boolean;
+export type LeafState = ReturnType<typeof useValue> & {
   /** Why the field is not read at the moment; a law of one's own may read any. */
   readonly unread?: string;
-  readonly changed: boolean;
-  readonly rejected: InvalidInput | undefined;
-  readonly error: string | undefined;
-  readonly drag: (value: JsonValue) => void;
-  readonly release: () => void;
-  readonly commit: (value: JsonValue) => void;
-  readonly reject: (rejected: InvalidInput) => void;
-  readonly clearInvalid: () => void;
-}
+};
 
 export function useLeaf({ pointer, paperValue, readWith }: Leaf): LeafState {
   const value = useFromScenario((scenario) => valueAt(scenario, { pointer, paperValue }));
@@ -187,7 +177,7 @@ export function withoutEffect(scenario: Scenario, pointer: Pointer): string | nu
 type Written = (scenario: Scenario, next: JsonValue) => Scenario;
 
 /** A value that is written in a way of its own. */
-export function useValue(pointer: Pointer, value: JsonValue | undefined, written: Written): LeafState {
+export function useValue(pointer: Pointer, value: JsonValue | undefined, written: Written) {
   const rejected = useLab((state) => state.invalidInput[pointer]);
   const refused = useLab((state) => state.serverErrors.fields[pointer]);
   const edit = useEdit();
@@ -197,17 +187,17 @@ export function useValue(pointer: Pointer, value: JsonValue | undefined, written
     changed: false,
     rejected,
     error: rejected?.message ?? refused,
-    drag: (next) => {
+    drag: (next: JsonValue) => {
       edit.clearInvalid(pointer);
       edit.drag(written(edit.newest(), next));
     },
     release: () => edit.commit(edit.newest()),
-    commit: (next) => {
+    commit: (next: JsonValue) => {
       edit.clearInvalid(pointer);
       const scenario = written(edit.newest(), next);
       if (!sameValue(scenario, edit.newest())) edit.commit(scenario);
     },
-    reject: (next) => edit.reject(pointer, next),
+    reject: (next: InvalidInput) => edit.reject(pointer, next),
     clearInvalid: () => edit.clearInvalid(pointer),
   };
 }

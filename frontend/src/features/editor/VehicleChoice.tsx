@@ -13,7 +13,7 @@ import { completed } from "../../scenario/differences";
 import { getAt, sameValue, setAt, type Pointer } from "../../scenario/path";
 import type { Group } from "../../scenario/schema";
 import { DataTable } from "../../ui/DataTable";
-import { Choice } from "../../ui/Entry";
+import { Choice, labelled } from "../../ui/Entry";
 
 /** Those with sources, and those of the library. */
 export function useVehicles() {
@@ -35,7 +35,6 @@ export function VehicleChoice({ group }: { readonly group: Group }) {
   const choices = [PAPER, ...sourced, ...own];
   const current = choices.find((each) => sameValue(whole(each.vehicle), vehicle));
   const source = sourced.find((each) => each === current);
-  const option = ({ id, label }: (typeof choices)[number]) => ({ value: id, label });
 
   const choose = (id: string) => {
     const choice = choices.find((each) => each.id === id);
@@ -54,8 +53,8 @@ export function VehicleChoice({ group }: { readonly group: Group }) {
         disabled={readOnly}
         data={[
           ...(current ? [] : [{ value: OTHER, label: "Own values" }]),
-          ...[PAPER, ...sourced].map(option),
-          ...(own.length > 0 ? [{ group: "Your vehicles", items: own.map(option) }] : []),
+          ...labelled([PAPER, ...sourced]),
+          ...(own.length > 0 ? [{ group: "Your vehicles", items: labelled(own) }] : []),
         ]}
         onPick={choose}
       />

@@ -212,7 +212,7 @@ const modesText = (modes: NonNullable<Result["modes"]>) =>
     )
     .join(", ");
 
-export interface FrequencyFigure {
+interface FrequencyFigure {
   readonly title: string;
   readonly unit: string;
   readonly figure: PanelFigure;
@@ -223,7 +223,7 @@ const MARKS = [0.5, 1, 2, 5, 10, 20];
 const [Y_TICKS, LEAST_DB, LEAST_DEGREES] = [6, 6, 30];
 const BAND_FILL = "rgba(120, 135, 142, 0.13)";
 
-export const toDecibels = (ratio: number): number => 20 * Math.log10(Math.max(ratio, Number.MIN_VALUE));
+const toDecibels = (ratio: number): number => 20 * Math.log10(Math.max(ratio, Number.MIN_VALUE));
 const toDegrees = (phase: number): number => (180 / Math.PI) * phase;
 
 type Values = readonly number[] | undefined;
@@ -283,5 +283,5 @@ export function frequencyFigures(
 }
 
 /** Of body acceleration that which ISO 2631-1 weighs: what people feel. */
-export const spectrumOf = (signal: string): string =>
+const spectrumOf = (signal: string): string =>
   signal === "body_acceleration" ? "weighted_body_acceleration" : signal;

@@ -20,8 +20,9 @@ import { horizonFigures, REAR_DASH } from "./horizon";
 import ui from "../../ui/ui.module.css";
 import { useThrottledCallback } from "@mantine/hooks";
 import { useEffect } from "react";
+import { humanise } from "../../scenario/schema";
 import { ask } from "../../api/http";
-import { Choice } from "../../ui/Entry";
+import { Choice, labelled } from "../../ui/Entry";
 import { useLatest } from "../../lib/latest";
 
 interface Props {
@@ -46,7 +47,7 @@ export function InstantPanel({ resultView, strategy, placeAt }: Props) {
           <Choice
             aria-label="Whose controller"
             value={strategy}
-            data={strategies.map(({ id, label }) => ({ value: id, label }))}
+            data={labelled(strategies)}
             onPick={(value) => {
               const place = placeAt(cursor.get(axis) ?? 0);
               if (place) labAddress.setView({ instant: { ...place, strategy: value } });
@@ -133,7 +134,7 @@ function Forces({ answer: { forces, parts, cost } }: { readonly answer: InstantA
     ["Before", forces.previous] as const,
     ["Acts", forces.acting] as const,
     ...(cost === null && parts
-      ? Object.entries(parts).map(([name, part]) => [`of it: ${termName(name).toLowerCase()}`, part] as const)
+      ? Object.entries(parts).map(([name, part]) => [`of it: ${humanise(name).toLowerCase()}`, part] as const)
       : []),
   ];
   return (
@@ -201,7 +202,7 @@ function Cost({ answer: { cost } }: { readonly answer: InstantAnswer }) {
       rows={[...shown].sort(([, a], [, b]) => b - a)}
       rowKey={([name]) => name}
       columns={[
-        { key: "name", head: "Cost of the plan", text: true, cell: ([name]) => termName(name) },
+        { key: "name", head: "Cost of the plan", text: true, cell: ([name]) => humanise(name) },
         { key: "cost", head: "cost", cell: ([, value]) => formatResult(value) },
         { key: "share", head: "share", cell: ([, value]) => `${formatFixed((100 * value) / total, 0)} %` },
       ]}
@@ -221,12 +222,6 @@ export function limitName(name: string): string {
   const [, where = "", kind = ""] = /^(front|rear)_(.*)$/.exec(name) ?? [];
   return where === "" ? name : `${where === "front" ? "Front" : "Rear"} ${NAMES[kind] ?? kind.replaceAll("_", " ")}`;
 }
-
-/** `after_horizon` → `After horizon`. */
-export const termName = (name: string): string => {
-  const words = name.replaceAll("_", " ");
-  return words.charAt(0).toUpperCase() + words.slice(1);
-};
 
 /** Between two questions [ms]. */
 const PACE_MS = 100;

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { InstantAnswer } from "../../api/types";
 import { PALETTES } from "../../plots/palettes";
 import { horizonFigures } from "./horizon";
-import { limitName, termName } from "./InstantPanel";
+import { limitName } from "./InstantPanel";
 
 const LIMIT = { unit: "N", distance: 0, multiplier: 0, multipliers: [], values: [], force_without: null };
 const PLANNED: InstantAnswer = {
@@ -63,6 +63,5 @@ describe("what is drawn of an instant", () => {
       "Front force change in a step",
       "mine",
     ]);
-    expect(termName("after_horizon")).toBe("After horizon");
   });
 });

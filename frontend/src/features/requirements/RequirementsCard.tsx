@@ -11,7 +11,7 @@ import { fullName, optionsOf, type Metric } from "../../server/metrics";
 import { useCatalogues } from "../../server/useCatalogues";
 import { dialog } from "../../scenario/library";
 import { Card } from "../../ui/Card";
-import { Choice, Entry, EntryRow, Finder } from "../../ui/Entry";
+import { Choice, Entry, EntryRow, Finder, labelled } from "../../ui/Entry";
 import ui from "../../ui/ui.module.css";
 import { formatInput, formatResult, prettyUnit } from "../../units/format";
 import { parseQuantity } from "../../units/quantity";
@@ -166,7 +166,7 @@ function whose(
   return [
     { value: OTHERS, label: "all but the baseline" },
     ...several,
-    ...single.map(({ id, label }) => ({ value: id, label })),
+    ...labelled(single),
     ...missing.map((id) => ({ value: id, label: id })),
   ];
 }
@@ -213,7 +213,7 @@ export function RequirementMarks({ results }: { readonly results: readonly Requi
   return results.map((result, index) => <RequirementMark key={index} result={result} />);
 }
 
-export function RequirementMark({ result }: { readonly result: RequirementResult }) {
+function RequirementMark({ result }: { readonly result: RequirementResult }) {
   const figure = useCatalogues().figures.find(({ key }) => key === result.metric);
   const limit = limitText(result, figure, result.baseline);
   return (

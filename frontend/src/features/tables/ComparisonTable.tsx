@@ -6,7 +6,6 @@ import { formatFixed } from "../../units/format";
 import { CURRENT, byStrategy, entryGroups, lowestOf, type Entry, changeOf, intervalAt, VIEWS } from "./entries";
 import { type WindowMetric, metricName, valueAt, type MetricPath } from "../../lab/metricPath";
 import classes from "./tables.module.css";
-import type { Labels } from "../../server/labels";
 import { SolveButton } from "../solve/SolveButton";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { ManualLink } from "../../ui/ManualLink";
@@ -17,6 +16,7 @@ import { StrategyKey, StrategyName } from "../../ui/StrategyKey";
 import { requiredOf } from "../requirements/judged";
 import { UnstyledButton } from "@mantine/core";
 import { RequirementMarks } from "../requirements/RequirementsCard";
+import type { Labels } from "../../server/useCatalogues";
 
 export interface ComparisonProps {
   readonly resultView: ResultView;

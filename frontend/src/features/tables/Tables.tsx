@@ -24,7 +24,7 @@ import { whyNotCompared } from "../../lab/compare";
 import { DataTable } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
 import { entryGroups, isRandom, lowestOf, VIEWS, type WindowView } from "./entries";
-import { useLabels } from "../../server/labels";
+import { useLabels } from "../../server/useCatalogues";
 
 /** Windows too narrow, beside the form, for both halves of the comparison side by side; paper has no form. */
 const NARROW = "screen and (max-width: 67.99em)";

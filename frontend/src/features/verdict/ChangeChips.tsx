@@ -8,7 +8,6 @@ import { whyNotCompared, type Variant } from "../../lab/compare";
 import type { ResultView } from "../../lab/resultView";
 import { labelled, Choice } from "../../ui/Entry";
 import { ChangeText } from "../tables/ChangeMark";
-import { useLabels } from "../../server/labels";
 import { VIEWS, changeBetween, comparedMetrics } from "../tables/entries";
 import { metricName, type WindowMetric } from "../../lab/metricPath";
 import { requiredOf } from "../requirements/judged";
@@ -16,6 +15,7 @@ import { EqualSpeed, usePairedChanges } from "./VerdictLine";
 import ui from "../../ui/ui.module.css";
 import type { Change } from "../tables/change";
 import { RequirementMarks } from "../requirements/RequirementsCard";
+import { useLabels } from "../../server/useCatalogues";
 
 const LOOK = { gap: "0.25rem 0.5rem", mih: 30, px: "0.2rem", fz: "xs", c: "dimmed" };
 

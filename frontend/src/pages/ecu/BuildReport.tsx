@@ -8,7 +8,6 @@ import { ask } from "../../api/http";
 import type { ControllerReport, Scenario } from "../../api/types";
 import { formatPercent } from "../../features/tables/change";
 import { compilersQuery } from "../../server/queries";
-import { useLabels, type Labels } from "../../server/labels";
 import { VIEWS } from "../../features/tables/entries";
 import { formatNumber, formatWhole } from "../../units/format";
 import { formatEnds, formatTime, kilobytes, largestLoss } from "./effort";
@@ -16,6 +15,7 @@ import { DataTable, type Column } from "../../ui/DataTable";
 import { Fault, Note } from "../../ui/Messages";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
+import { useLabels, type Labels } from "../../server/useCatalogues";
 
 const reportQuery = (scenario: Scenario, enabled: boolean) =>
   queryOptions({

@@ -4,7 +4,6 @@ import { Anchor, Text } from "@mantine/core";
 import { Link } from "@tanstack/react-router";
 import { Icon } from "../../ui/icons";
 import type { Catalogue, Strategy, Summary } from "../../api/types";
-import { useLabels, type Labels } from "../../server/labels";
 import { VIEWS } from "../../features/tables/entries";
 import { ChangeMark } from "../../features/tables/ChangeMark";
 import { formatPercent, changeAgainst } from "../../features/tables/change";
@@ -16,6 +15,7 @@ import { DataTable, type Column } from "../../ui/DataTable";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
 import { Note } from "../../ui/Messages";
+import { useLabels, type Labels } from "../../server/useCatalogues";
 
 interface Props {
   readonly summaries: Readonly<Record<string, Summary>>;

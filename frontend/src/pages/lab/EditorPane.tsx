@@ -5,11 +5,11 @@ import { useDisclosure, useMediaQuery } from "@mantine/hooks";
 import { Icon } from "../../ui/icons";
 import { Editor } from "../../features/editor/Editor";
 import { useLabContext, useReadOnly } from "../../lab/context";
-import { revealed } from "../../lab/reveal";
 import { useFigures, useForm } from "../../server/useCatalogues";
 import { useSelector } from "@tanstack/react-store";
 import { useEffect } from "react";
 import classes from "../../ui/shell.module.css";
+import { revealed } from "../../lab/actions";
 
 /** Signals the moving car needs besides those in the figures. */
 const CAR_SIGNALS = ["rear_road"];

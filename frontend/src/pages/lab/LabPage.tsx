@@ -178,7 +178,7 @@ function SlowNotice({ shown }: { readonly shown: Result | null }) {
 }
 
 /** Runs what is shown again where the file of one that is chosen was saved. */
-export function useSavedLaws(strategies: readonly Strategy[]): void {
+function useSavedLaws(strategies: readonly Strategy[]): void {
   const { lab } = useLabContext();
   const laws = lawsOf(strategies);
   const lastLaws = useRef(laws);
@@ -193,7 +193,7 @@ export function useSavedLaws(strategies: readonly Strategy[]): void {
 }
 
 /** The strategies, and those of the shown result that are there no more: their numbers stay. */
-export function useWithGone(strategies: readonly Strategy[]): readonly Strategy[] {
+function useWithGone(strategies: readonly Strategy[]): readonly Strategy[] {
   const gone = useLab(({ shown }) =>
     Object.keys(shown?.summaries ?? {})
       .filter((id) => !isRecording(id) && strategies.every((strategy) => strategy.id !== id))
@@ -223,7 +223,7 @@ const goneLaw = (id: string): Strategy => ({
 });
 
 /** What is to be said of results whose law is another one by now, or gone. */
-export function lawsText(strategies: readonly Strategy[], summaries: Readonly<Record<string, Summary>>) {
+function lawsText(strategies: readonly Strategy[], summaries: Readonly<Record<string, Summary>>) {
   const of = (isSo: (strategy: Strategy | undefined) => boolean) =>
     Object.entries(summaries).flatMap(([id, { source }]) => {
       const strategy = strategies.find((each) => each.id === id);

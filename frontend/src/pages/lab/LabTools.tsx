@@ -1,6 +1,6 @@
 /** What the lab puts into the header: library, undo and redo, what the last answer cost, sweep, share and export; and its actions. */
 
-import { useAction, useActionButton, usePaletteEntries, type PaletteEntry } from "../../lab/actions";
+import { useAction, useActionButton, usePaletteEntries, type PaletteEntry, revealed } from "../../lab/actions";
 import { Icon } from "../../ui/icons";
 import { ExportMenu } from "../../features/export/ExportMenu";
 import { LibraryButton } from "../../features/library/LibraryButton";
@@ -12,7 +12,6 @@ import classes from "../../ui/shell.module.css";
 import { StatusLine } from "./StatusLine";
 import { useLabContext, useLab } from "../../lab/context";
 import { hasInvalidInput, type LabState } from "../../lab/labState";
-import { revealed } from "../../lab/reveal";
 import { sweepFields } from "../../scenario/fields";
 import { optionTitle } from "../../scenario/schema";
 import { useLabStrategies } from "../../lab/recordings";

@@ -1,7 +1,7 @@
 /** The results: the car and the ride on the bump first, then the numbers, then every other signal. */
 
 import { memo, useMemo, useState } from "react";
-import { Button, Skeleton, Text } from "@mantine/core";
+import { Skeleton, Text } from "@mantine/core";
 import { useIntersection } from "@mantine/hooks";
 import type { FigureTemplate, Strategy } from "../../api/types";
 import { PlotGrid, RoadStrip, useShownCurves } from "../../plots/PlotGrid";
@@ -26,7 +26,7 @@ import { useCatalogue } from "../../server/useCatalogues";
 import { getAt } from "../../scenario/path";
 import { useCurves } from "../../plots/useDetail";
 import { Note } from "../../ui/Messages";
-import { Blank, CouldNotLoad } from "../../ui/Page";
+import { Blank } from "../../ui/Page";
 
 interface Props {
   readonly strategies: readonly Strategy[];
@@ -44,9 +44,12 @@ export const Results = memo(function Results({ strategies, resultView }: Props) 
   const stale = useLab((state) => state.stale);
   if (failure?.kind === "notFound") return <NotFound />;
   if (none) return <NothingChosen suggestion={strategies.map(({ id }) => id)} />;
-  if (failure?.kind === "failed" && !shown) return <CouldNotLoad message={failure.message} onRetry={lab.openPaper} />;
-  if (refused && !shown)
-    return <CouldNotLoad what="scenario" message={refused} onRetry={lab.openPaper} retry="Open the paper’s scenario" />;
+  const toPaper = { label: "Open the paper’s scenario", onClick: lab.openPaper };
+  if (failure?.kind === "failed" && !shown)
+    return (
+      <Blank title="This page could not be shown" text={failure.message} action={{ ...toPaper, label: "Try again" }} />
+    );
+  if (refused && !shown) return <Blank title="This scenario could not be shown" text={refused} action={toPaper} />;
   if (!resultView || resultView.ids.length === 0) return <Loading />;
   return (
     <div
@@ -159,18 +162,18 @@ const Histories = memo(function Histories({ strategies, resultView }: PartProps 
   );
 });
 
-export function NothingChosen({ suggestion }: { readonly suggestion: readonly string[] }) {
+function NothingChosen({ suggestion }: { readonly suggestion: readonly string[] }) {
   const { lab } = useLabContext();
   return (
-    <Blank title="No strategy chosen" text="Switch on at least one above to see how the car rides.">
-      <Button size="sm" variant="filled" onClick={() => lab.setStrategies(suggestion)}>
-        Show all strategies
-      </Button>
-    </Blank>
+    <Blank
+      title="No strategy chosen"
+      text="Switch on at least one above to see how the car rides."
+      action={{ label: "Show all strategies", onClick: () => lab.setStrategies(suggestion) }}
+    />
   );
 }
 
-export function NotFound() {
+function NotFound() {
   const { lab, labAddress } = useLabContext();
   const [title, text] =
     labAddress.get().slug === null
@@ -179,17 +182,11 @@ export function NotFound() {
           "There is no shared result at this address",
           "The link may be incomplete, or it was made on another server. Ask the sender for the complete address.",
         ];
-  return (
-    <Blank title={title} text={text}>
-      <Button size="sm" variant="filled" onClick={lab.openPaper}>
-        Open the paper’s scenario
-      </Button>
-    </Blank>
-  );
+  return <Blank {...{ title, text }} action={{ label: "Open the paper’s scenario", onClick: lab.openPaper }} />;
 }
 
 /** In place of the car and the plots. */
-export function NoHistories({ reason }: { readonly reason: string }) {
+function NoHistories({ reason }: { readonly reason: string }) {
   return <Blank title="This result has no time histories" text={`${reason} The tables are as they were computed.`} />;
 }
 

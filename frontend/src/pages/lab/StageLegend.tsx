@@ -6,10 +6,10 @@ import { layersOf } from "../../plots/curves";
 import { stagedStrategy } from "../../plots/shapes";
 import { useCurves } from "../../plots/useDetail";
 import type { ResultView } from "../../lab/resultView";
-import { holdIsolated, isolateWhilePointed, useIsolated } from "../../lab/isolated";
 import { LineKey, StrategyName } from "../../ui/StrategyKey";
 import classes from "./legend.module.css";
 import ui from "../../ui/ui.module.css";
+import { holdIsolated, isolateWhilePointed, useIsolated } from "../../lab/cursor";
 
 /** A swatch is small: the shading three times over, so that it can be told apart. */
 const layered = (fill = "transparent") => Array<string>(3).fill(`linear-gradient(${fill}, ${fill})`).join(", ");

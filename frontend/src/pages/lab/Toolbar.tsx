@@ -9,12 +9,11 @@ import { useLabContext, useView, useLab, useReadOnly } from "../../lab/context";
 import { makeResultView, axisKey, type ResultView } from "../../lab/resultView";
 import bar from "../../ui/toolbar.module.css";
 import { valueAt } from "../../lib/samples";
-import { cursor } from "../../lab/cursor";
+import { cursor, isolateWhilePointed } from "../../lab/cursor";
 import type { LabAddress } from "../../lab/labAddress";
 import { Choice } from "../../ui/Entry";
 import { Icon } from "../../ui/icons";
 import { STRATEGIES } from "../../ui/manual";
-import { isolateWhilePointed } from "../../lab/isolated";
 import { StrategyKey } from "../../ui/StrategyKey";
 import { Note } from "../../ui/Messages";
 

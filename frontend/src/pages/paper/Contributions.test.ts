@@ -5,7 +5,7 @@ import { createElement } from "react";
 import { expect, it } from "vitest";
 import type { Attribution } from "../../api/types";
 import { PALETTES } from "../../plots/palettes";
-import type { Labels } from "../../server/labels";
+import type { Labels } from "../../server/useCatalogues";
 import { EqualSpeed, sharesFigure } from "./Contributions";
 
 const words = { signal: String, view: () => "peak, bump" } as unknown as Labels;

@@ -8,7 +8,6 @@ import { typeset, spreadOf } from "./numbers";
 import classes from "./paper.module.css";
 import { attributionQuery } from "./queries";
 import { Fault, Waiting } from "./Waiting";
-import type { Labels } from "../../server/labels";
 import type { Attribution } from "../../api/types";
 import { formatPercent } from "../../features/tables/change";
 import { SureChange } from "../../features/tables/ChangeMark";
@@ -21,6 +20,7 @@ import { Chart, type ChartFigure } from "../../plots/Chart";
 import { ChartButton } from "../../plots/FigureButton";
 import { chartLayout, ON_PAPER, PALETTES, referenceLine, type Palette } from "../../plots/palettes";
 import { Card } from "../../ui/Card";
+import type { Labels } from "../../server/useCatalogues";
 
 interface Props {
   readonly choices: Choices;

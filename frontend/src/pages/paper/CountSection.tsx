@@ -20,10 +20,10 @@ import {
 } from "./Verdict";
 import { type Choices, withSet } from "./choices";
 import { typeset } from "./numbers";
-import type { Labels } from "../../server/labels";
 import { Fault } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
+import type { Labels } from "../../server/useCatalogues";
 
 interface Props {
   readonly paper: Paper;

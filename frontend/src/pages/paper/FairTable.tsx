@@ -7,9 +7,9 @@ import { formatPercent } from "../../features/tables/change";
 import { count, formatFixed, formatResult } from "../../units/format";
 import { ANY, filtered, FILTERS, metricKey, NO_FILTER, partOf, rankOf, type Filter } from "./fair";
 import ui from "../../ui/ui.module.css";
-import type { Labels } from "../../server/labels";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Choice } from "../../ui/Entry";
+import type { Labels } from "../../server/useCatalogues";
 
 interface Props {
   readonly rows: readonly Combination[];

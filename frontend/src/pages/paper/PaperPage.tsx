@@ -22,12 +22,12 @@ import { SwitchEffects } from "./SwitchEffects";
 import { Switches } from "./Switches";
 import { Tables } from "./Tables";
 import { Fault, Waiting } from "./Waiting";
-import { useLabels, type Labels } from "../../server/labels";
 import { FileMenu } from "../../features/export/FileMenu";
 import ui from "../../ui/ui.module.css";
 import contents from "./contents.module.css";
 import { VerdictBar, countedOf, soFar } from "./Verdict";
 import { ShareAddress } from "../../features/share/ShareLink";
+import { useLabels, type Labels } from "../../server/useCatalogues";
 
 const DOI = "10.3390/wevj16040232";
 

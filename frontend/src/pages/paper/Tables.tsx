@@ -9,9 +9,9 @@ import { printedChange, printedValue, spreadOf, typeset } from "./numbers";
 import classes from "./paper.module.css";
 import tables from "./tables.module.css";
 import { VerdictMark, cellId } from "./Verdict";
-import type { Labels } from "../../server/labels";
 import { DataTable, type Column, type RowGroup } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
+import type { Labels } from "../../server/useCatalogues";
 
 interface Props {
   readonly paper: Paper;
