@@ -283,5 +283,4 @@ export function frequencyFigures(
 }
 
 /** Of body acceleration that which ISO 2631-1 weighs: what people feel. */
-const spectrumOf = (signal: string): string =>
-  signal === "body_acceleration" ? "weighted_body_acceleration" : signal;
+const spectrumOf = (signal: string): string => (signal === "body_acceleration" ? "weighted_body_acceleration" : signal);

@@ -1,6 +1,6 @@
 /** The fuzzy speed controller's sets and rules, edited beside the surface that they come to and the drive over it. */
 
-import { Button, SegmentedControl, Skeleton, useComputedColorScheme } from "@mantine/core";
+import { Box, Button, SegmentedControl, Skeleton, useComputedColorScheme } from "@mantine/core";
 import { useState, useEffect } from "react";
 import { useEdit, useReadOnly, useScenario, useFromScenario } from "../../lab/context";
 import type { ResultView } from "../../lab/resultView";
@@ -152,22 +152,24 @@ function RulesTable({ base, rewritten }: RulesTableProps) {
       );
     };
   return (
-    <DataTable
-      label="Rules: the torque for each distance and speed error"
-      attributes={{ "data-dense": true }}
-      rows={rows ?? []}
-      rowKey={nameOf}
-      columns={[
-        { key: "distance", head: "distance ↓ error →", text: true, cell: nameOf },
-        ...(columns ?? []).map((name) => ({
-          key: nameOf(name),
-          head: nameOf(name),
-          text: true,
-          cell: cellOf(name),
-          ...NARROW,
-        })),
-      ]}
-    />
+    <Box mx="-0.9rem">
+      <DataTable
+        label="Rules: the torque for each distance and speed error"
+        attributes={{ "data-dense": true }}
+        rows={rows ?? []}
+        rowKey={nameOf}
+        columns={[
+          { key: "distance", head: "distance ↓ error →", text: true, cell: nameOf },
+          ...(columns ?? []).map((name) => ({
+            key: nameOf(name),
+            head: nameOf(name),
+            text: true,
+            cell: cellOf(name),
+            ...NARROW,
+          })),
+        ]}
+      />
+    </Box>
   );
 }
 
