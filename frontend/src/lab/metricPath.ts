@@ -30,9 +30,14 @@ export function valueAt(summary: Summary | undefined, metric: MetricPath): numbe
   return summary?.metrics[metric.window]?.[metric.signal]?.[metric.statistic];
 }
 
-/** A number of a summary by its flat name, events included; `null` where it has none. */
-export function valueNamed(summary: Summary | undefined, name: string): number | null {
+/** What a summary has by a flat name, events included. */
+export function figureNamed(summary: Summary | undefined, name: string) {
   const [, event] = /^events[.](.+)/.exec(name) ?? [];
-  const value = event === undefined ? valueAt(summary, metricPath(name)) : summary?.events[event];
+  return event === undefined ? valueAt(summary, metricPath(name)) : summary?.events[event];
+}
+
+/** The same as a number; `null` where it has none. */
+export function valueNamed(summary: Summary | undefined, name: string): number | null {
+  const value = figureNamed(summary, name);
   return typeof value === "number" || typeof value === "boolean" ? Number(value) : null;
 }

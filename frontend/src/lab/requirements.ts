@@ -38,13 +38,13 @@ function readRequirement(text: string): readonly Requirement[] {
 }
 
 /** As many as the service takes. */
-const MOST = 64;
+export const MOST_REQUIREMENTS = 64;
 
 export const requirementsText = (all: readonly Requirement[]) => all.map(requirementText).join(";");
 
 /** Those of an address; what is none is left out. */
 export const readRequirements = (text = ""): readonly Requirement[] =>
-  text.split(";").flatMap(readRequirement).slice(0, MOST);
+  text.split(";").flatMap(readRequirement).slice(0, MOST_REQUIREMENTS);
 
 /** The requirements in a file or in the library; none where there is anything else. */
 export function requirementsIn(value: unknown): readonly Requirement[] {

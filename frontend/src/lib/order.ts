@@ -1,4 +1,4 @@
-/** The one way in which rows are sorted. */
+/** The one way in which rows are sorted, and what is chosen from is grouped. */
 
 export interface Order {
   readonly column: string;
@@ -22,3 +22,14 @@ export function inOrder<Row>(rows: readonly Row[], valueOf: (row: Row) => unknow
     return descending ? compare(b, a) : compare(a, b);
   });
 }
+
+/** Options by group. */
+export const grouped = <Item>(
+  all: readonly Item[],
+  groupOf: (item: Item) => string,
+  option: (item: Item) => { readonly value: string; readonly label: string },
+) =>
+  [...new Set(all.map(groupOf))].map((group) => ({
+    group,
+    items: all.filter((item) => groupOf(item) === group).map(option),
+  }));

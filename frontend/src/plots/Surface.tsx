@@ -67,6 +67,11 @@ export function Surface<Drawn extends Pick<Curves, "live">>({ curves, build, vis
 
 const STILL = { get: () => ({ live: false }), subscribe: () => ({ unsubscribe: () => undefined }) };
 
+/** A figure that is drawn when it is rendered. */
+export function StillSurface({ figure }: { readonly figure: PanelFigure }) {
+  return <Surface curves={STILL} build={useCallback(() => figure, [figure])} visible />;
+}
+
 interface SmallFigureProps {
   readonly title: string;
   readonly unit: string;
@@ -76,7 +81,7 @@ interface SmallFigureProps {
   readonly figure: PanelFigure;
 }
 
-/** A figure under its title, drawn when it is rendered. */
+/** The same under its title. */
 export function SmallFigure({ title, unit, label, height, figure }: SmallFigureProps) {
   return (
     <Box component="figure" m={0}>
@@ -84,7 +89,7 @@ export function SmallFigure({ title, unit, label, height, figure }: SmallFigureP
         {title} <span className={ui.dim}>[{unit}]</span>
       </Text>
       <Box pos="relative" h={height} role="img" aria-label={label}>
-        <Surface curves={STILL} build={useCallback(() => figure, [figure])} visible />
+        <StillSurface figure={figure} />
       </Box>
     </Box>
   );

@@ -2,18 +2,14 @@
 
 import { spansDecades, stepBelow } from "../lib/steps";
 import { formatExact, formatInput } from "../units/format";
-import { parseQuantity } from "../units/quantity";
+import { parseQuantity, type Quantity } from "../units/quantity";
 import type { NumberField } from "./schema";
 
 /** What is wrong with a range whose ends are the wrong way round. */
 export const NO_RANGE = "From has to be less than To";
 
-export type ParsedValue =
-  | { readonly ok: true; readonly value: number }
-  | { readonly ok: false; readonly message: string };
-
 /** Reads and checks a typed value against the field's own limits; the server checks what involves other fields. */
-export function parseTyped(field: NumberField, text: string): ParsedValue {
+export function parseTyped(field: NumberField, text: string): Quantity {
   if (text.trim() === "") return { ok: false, message: "Needs a value" };
   const typed = parseQuantity(text, field.shown.unit);
   if (!typed.ok) return typed;

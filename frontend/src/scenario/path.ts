@@ -4,7 +4,7 @@ import type { JsonObject, JsonValue, Scenario } from "../api/types";
 
 export type Pointer = `/${string}`;
 
-function isObject(value: JsonValue | undefined): value is JsonObject {
+export function isObject(value: unknown): value is JsonObject {
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 

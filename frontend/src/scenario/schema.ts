@@ -2,7 +2,7 @@
 
 import type { JsonObject, JsonValue } from "../api/types";
 import { shownIn, type ShownUnit } from "../units/quantity";
-import { child, type Pointer } from "./path";
+import { child, isObject, type Pointer } from "./path";
 
 interface Base {
   readonly pointer: Pointer;
@@ -69,10 +69,6 @@ export interface Group {
 
 export type Field = NumberField | ChoiceField | TextField | DataField | VectorField;
 export type Member = Field | Group;
-
-function isObject(value: unknown): value is JsonObject {
-  return typeof value === "object" && value !== null && !Array.isArray(value);
-}
 
 const text = (value: unknown) => (typeof value === "string" ? value : "");
 const number = (value: unknown): number | undefined => (typeof value === "number" ? value : undefined);

@@ -1,6 +1,7 @@
 /** The figures of a run that a batch can be looked at by. */
 
 import type { Catalogue, FigureTemplate, SignalKey } from "../api/types";
+import { grouped } from "../lib/order";
 import type { ShownUnit } from "../units/quantity";
 
 export interface Metric {
@@ -19,12 +20,11 @@ export const fullName = ({ label, group }: Metric) =>
 
 /** Figures to choose from, by group. */
 export const optionsOf = (figures: readonly Metric[]) =>
-  [...new Set(figures.map(({ group }) => group))].map((group) => ({
-    group,
-    items: figures
-      .filter((figure) => figure.group === group)
-      .map((figure) => ({ value: figure.key, label: fullName(figure) })),
-  }));
+  grouped(
+    figures,
+    ({ group }) => group,
+    (figure) => ({ value: figure.key, label: fullName(figure) }),
+  );
 
 type Templates = Readonly<Record<string, FigureTemplate>>;
 

@@ -6,7 +6,7 @@ import { useQuery } from "@tanstack/react-query";
 import { useLab } from "../../lab/context";
 import { DETAIL_POINTS, seriesQuery } from "../../server/queries";
 import { valueText } from "../../scenario/limits";
-import { getAt } from "../../scenario/path";
+import { getAt, numberAt } from "../../scenario/path";
 import type { Member, NumberField } from "../../scenario/schema";
 import type { Scenario } from "../../api/types";
 import type { Series } from "../../api/decode";
@@ -131,17 +131,9 @@ const LEAST_SAMPLES = 12;
 
 /** `null` where no bump is added, or the run's samples are too few to draw one. */
 export function bumpSketch(scenario: Scenario, { position, front_road: road }: Series): BumpSketch | null {
-  const read = (name: string) => {
-    const value = getAt(scenario, `/road/bump/${name}`);
-    return typeof value === "number" ? value : 0;
-  };
-  const [start, width, height, count, spacing] = ["start", "width", "height", "count", "spacing"].map(read) as [
-    number,
-    number,
-    number,
-    number,
-    number,
-  ];
+  const read = (name: string) => numberAt(scenario, `/road/bump/${name}`, 0);
+  const [start, width, height] = [read("start"), read("width"), read("height")];
+  const [count, spacing] = [read("count"), read("spacing")];
   if (height === 0 || !position || !road) return null;
   const drawn = Math.min(count, MOST_DRAWN);
   const length = (drawn - 1) * spacing + width;

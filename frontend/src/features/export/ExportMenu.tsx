@@ -22,7 +22,7 @@ import { compact } from "../../ui/IconButton";
 import type { FmuRequest, Scenario, Strategy } from "../../api/types";
 import { labelled } from "../../ui/Entry";
 import { Fault } from "../../ui/Messages";
-import { ControllerFault, useController, saveAs } from "./FileMenu";
+import { FileFault, useController, saveAs } from "./FileMenu";
 
 const FORMATS = [
   { format: "csv", label: "CSV" },
@@ -42,7 +42,7 @@ export function ExportMenu() {
   const [refused, setRefused] = useState<string | null>(null);
   const [fmu, setFmu] = useState(false);
   const { copied, copy } = useCopied(setRefused);
-  const { save, saving, ...unsaved } = useController();
+  const controller = useController();
 
   const picture = useMutation({
     mutationFn: async (format: "png" | "svg") => {
@@ -76,12 +76,10 @@ export function ExportMenu() {
     );
   };
 
-  const saveController = () => save(scenario());
-
   useAction("report", runId === null ? null : saveReport);
   useAction("png", hasHistories ? () => picture.mutate("png") : null);
   useAction("svg", hasHistories ? () => picture.mutate("svg") : null);
-  useAction("controller", saveController);
+  useAction("controller", () => controller.save(scenario()));
   useAction("fmu", () => setFmu(true));
   useAction("python", () => copyAs(asPython));
   useAction("command", () => copyAs(asCommand));
@@ -96,7 +94,7 @@ export function ExportMenu() {
             leftSection={copied ? <Icon name="Check" size={15} /> : <Icon name="Download" size={15} />}
             classNames={compact}
             disabled={!isShown}
-            loading={saving || picture.isPending}
+            loading={controller.saving || picture.isPending}
           >
             {copied ? "Copied" : "Export"}
           </Button>
@@ -145,10 +143,8 @@ export function ExportMenu() {
         </Menu.Dropdown>
       </Menu>
       {fmu && <FmuDialog {...{ strategies, scenario }} first={selected[0]} onClose={() => setFmu(false)} />}
-      <ControllerFault {...unsaved} />
-      <Modal opened={picture.isError} onClose={picture.reset} title="The plots could not be saved">
-        <Text>{picture.error && explain(picture.error)}</Text>
-      </Modal>
+      {controller.fault}
+      <FileFault title="The plots could not be saved" error={picture.error} reset={picture.reset} />
       <Modal
         opened={refused !== null}
         onClose={() => setRefused(null)}

@@ -5,6 +5,7 @@ import type { ReactNode } from "react";
 import { download } from "../../lib/download";
 import { Icon } from "../../ui/icons";
 import { address, askFile } from "../../api/http";
+import { explain } from "../../api/problem";
 import type { Batch, Scenario } from "../../api/types";
 import { compact } from "../../ui/IconButton";
 import { useMutation } from "@tanstack/react-query";
@@ -67,7 +68,7 @@ export function BatchFiles({ batch: { id } }: { readonly batch: Batch }) {
 
 /** The C sources of a scenario's controller. */
 export function ControllerFile({ scenario }: { readonly scenario: Scenario | undefined }) {
-  const { save, saving, ...fault } = useController();
+  const { save, saving, fault } = useController();
   const file = scenario && {
     label: "Controller (C), a zip",
     icon: <Icon name="Cpu" size={16} />,
@@ -80,7 +81,7 @@ export function ControllerFile({ scenario }: { readonly scenario: Scenario | und
         files={file ? [file] : []}
         saving={saving}
       />
-      <ControllerFault {...fault} />
+      {fault}
     </>
   );
 }
@@ -102,14 +103,19 @@ export function useController() {
       askFile("post", "/controller", { body: { scenario } }, (response) => response.blob()),
     onSuccess: (zip) => saveAs(zip, "ridelab-controller.zip"),
   });
-  return { save: mutate, saving: isPending, error, reset };
+  const fault = <FileFault title="The controller could not be exported" {...{ error, reset }} />;
+  return { save: mutate, saving: isPending, fault };
+}
+
+interface FileFaultProps {
+  readonly title: string;
+  readonly error: Error | null;
+  readonly reset: () => void;
 }
 
 /** Says why there is no file. */
-export function ControllerFault({ error, reset }: Pick<ReturnType<typeof useController>, "error" | "reset">) {
-  return (
-    <Modal opened={error !== null} onClose={reset} title="The controller could not be exported">
-      <Text>{error?.message}</Text>
-    </Modal>
-  );
-}
+export const FileFault = ({ title, error, reset }: FileFaultProps) => (
+  <Modal opened={error !== null} onClose={reset} {...{ title }}>
+    <Text>{error && explain(error)}</Text>
+  </Modal>
+);

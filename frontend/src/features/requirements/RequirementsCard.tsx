@@ -5,7 +5,7 @@ import { Anchor, Group, Box } from "@mantine/core";
 import type { Strategy, RequirementResult } from "../../api/types";
 import { useLabContext, useReadOnly, useView } from "../../lab/context";
 import { valueNamed } from "../../lab/metricPath";
-import { limitOf, requirementText, type LimitKind, type Requirement } from "../../lab/requirements";
+import { limitOf, MOST_REQUIREMENTS, requirementText, type LimitKind, type Requirement } from "../../lab/requirements";
 import type { ResultView } from "../../lab/resultView";
 import { fullName, optionsOf, type Metric } from "../../server/metrics";
 import { useCatalogues } from "../../server/useCatalogues";
@@ -18,9 +18,6 @@ import { parseQuantity } from "../../units/quantity";
 import { LIMIT_WORDS, limitText, limitUnit, resultsOf, shownLimit, RESULT_WORDS } from "./judged";
 import { Note } from "../../ui/Messages";
 import { Icon } from "../../ui/icons";
-
-/** As many as the service takes. */
-const MOST = 64;
 
 export function RequirementsCard({ resultView }: { readonly resultView: ResultView }) {
   const { figures } = useCatalogues();
@@ -41,7 +38,7 @@ export function RequirementsCard({ resultView }: { readonly resultView: ResultVi
             onRemove={() => set(requirements.filter((_, at) => at !== index))}
           />
         ))}
-        {!readOnly && requirements.length < MOST && (
+        {!readOnly && requirements.length < MOST_REQUIREMENTS && (
           <div data-unprinted>
             <Finder
               label={requirements.length === 0 ? "Hold a metric to a limit" : "Add a requirement"}

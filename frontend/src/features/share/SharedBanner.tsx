@@ -19,7 +19,7 @@ import { Card } from "../../ui/Card";
 import { DataTable } from "../../ui/DataTable";
 import { fullName, type Metric } from "../../server/metrics";
 import { useCatalogues } from "../../server/useCatalogues";
-import { metricPath, valueAt } from "../../lab/metricPath";
+import { figureNamed } from "../../lab/metricPath";
 
 export function SharedBanner({ strategies }: { readonly strategies: readonly Strategy[] }) {
   const { labAddress } = useLabContext();
@@ -220,8 +220,7 @@ interface Comparison {
 
 /** In the unit the page shows it in; `undefined` of a result that does not have it. */
 function figureOf(summary: Summary, { key, scale }: Metric): Figure | undefined {
-  const [, event] = /^events[.](.+)/.exec(key) ?? [];
-  const value = event === undefined ? valueAt(summary, metricPath(key)) : summary.events[event];
+  const value = figureNamed(summary, key);
   return typeof value === "number" ? value * scale : value;
 }
 

@@ -1,6 +1,6 @@
 /** The metric over the field for every strategy that is on, under a limit that can be dragged. */
 
-import { Group, Text } from "@mantine/core";
+import { Box, Group, Text, useComputedColorScheme } from "@mantine/core";
 import { useElementSize } from "@mantine/hooks";
 import { useQueries } from "@tanstack/react-query";
 import { useEffect, useEffectEvent, useState, type KeyboardEvent, type PointerEvent } from "react";
@@ -9,7 +9,10 @@ import type { Question, Scenario, Strategy, Solution } from "../../api/types";
 import { valueText } from "../../scenario/limits";
 import type { NumberField } from "../../scenario/schema";
 import { fullName, type Metric } from "../../server/metrics";
-import { ticksFor } from "../../plots/figure";
+import { MARGIN, marked, panelLayout } from "../../plots/figure";
+import { PALETTES, type Palette } from "../../plots/palettes";
+import type { PanelFigure, PlotTrace } from "../../plots/plotly";
+import { StillSurface } from "../../plots/Surface";
 import { StrategyName } from "../../ui/StrategyKey";
 import { formatResult, prettyUnit } from "../../units/format";
 import ui from "../../ui/ui.module.css";
@@ -17,8 +20,7 @@ import ui from "../../ui/ui.module.css";
 /** No metric is larger: the whole range keeps it, and each of its values is driven. */
 const NO_LIMIT = 1e12;
 const HEIGHT = 190;
-const CHART = { display: "block", fontSize: "var(--mantine-font-size-xs)", touchAction: "none" };
-const MARGIN = { left: 44, right: 26, top: 8, bottom: 22 };
+const OVER = { position: "absolute", inset: 0, fontSize: "var(--mantine-font-size-xs)", touchAction: "none" } as const;
 
 export interface CurveQuestion extends Omit<Question, "strategy" | "field" | "limit"> {
   /** Each strategy's own, where its speed is asked for. */
@@ -103,17 +105,18 @@ interface DrawingProps extends Pick<Props, "field" | "figure" | "onLimit"> {
 
 function Drawing({ curves, field, figure, limit, onLimit }: DrawingProps) {
   const { ref, width } = useElementSize<HTMLDivElement>();
+  const palette = PALETTES[useComputedColorScheme("light")];
   // While it is dragged the line follows the pointer; the question is asked when it is let go.
   const [dragged, setDragged] = useState<number | null>(null);
   const { x: across, y: up } = extentOf(curves.map(({ points }) => points));
-  const [wide, high] = [Math.max(1, width - MARGIN.left - MARGIN.right), HEIGHT - MARGIN.top - MARGIN.bottom];
-  const toX = (value: number) => MARGIN.left + ((value - across[0]) / (across[1] - across[0] || 1)) * wide;
-  const toY = (value: number) => MARGIN.top + high - ((value - up[0]) / (up[1] - up[0])) * high;
+  const [wide, high] = [Math.max(1, width - MARGIN.l - MARGIN.r), HEIGHT - MARGIN.t - MARGIN.b];
+  const toX = (value: number) => MARGIN.l + ((value - across[0]) / (across[1] - across[0] || 1)) * wide;
+  const toY = (value: number) => MARGIN.t + high - ((value - up[0]) / (up[1] - up[0])) * high;
   const shown = dragged ?? limit;
   const inRange = (value: number) => Math.min(up[1], Math.max(up[0], value));
   const pointedAt = (event: PointerEvent<SVGElement>) => {
     const top = event.currentTarget.ownerSVGElement?.getBoundingClientRect().top ?? 0;
-    return inRange(up[0] + ((MARGIN.top + high - (event.clientY - top)) / high) * (up[1] - up[0]));
+    return inRange(up[0] + ((MARGIN.t + high - (event.clientY - top)) / high) * (up[1] - up[0]));
   };
   const step = (up[1] - up[0]) / 50;
   const byKey = (event: KeyboardEvent) => {
@@ -125,12 +128,11 @@ function Drawing({ curves, field, figure, limit, onLimit }: DrawingProps) {
   const { unit, scale } = figure;
   const name = `${fullName(figure)} over ${field.title}`;
   return (
-    <div ref={ref}>
-      <svg width={width} height={HEIGHT} style={CHART} role="group" aria-label={name}>
-        <Axes {...{ across, up, toX, toY, field, figure }} />
+    <Box ref={ref} pos="relative" h={HEIGHT}>
+      <StillSurface figure={limitFigure(curves, { across, up }, { field, figure }, palette)} />
+      <svg width={width} height={HEIGHT} style={OVER} role="group" aria-label={name}>
         {curves.map(({ strategy: { id, colour }, points }) => (
           <g key={id} stroke={colour}>
-            <polyline fill="none" strokeWidth={2} points={points.map(([x, y]) => `${toX(x)},${toY(y)}`).join(" ")} />
             {crossings(points, shown).map((x) => (
               <circle key={x} cx={toX(x)} cy={toY(shown)} r={4} fill="var(--surface)" strokeWidth={2} />
             ))}
@@ -160,57 +162,43 @@ function Drawing({ curves, field, figure, limit, onLimit }: DrawingProps) {
             setDragged(null);
           }}
         >
-          <rect x={MARGIN.left} width={wide} y={toY(shown) - 12} height={24} fill="transparent" />
+          <rect x={MARGIN.l} width={wide} y={toY(shown) - 12} height={24} fill="transparent" />
           <line
             stroke="var(--danger)"
             strokeWidth={1.5}
             strokeDasharray="6 4"
-            x1={MARGIN.left}
-            x2={MARGIN.left + wide}
+            x1={MARGIN.l}
+            x2={MARGIN.l + wide}
             y1={toY(shown)}
             y2={toY(shown)}
           />
-          <text x={MARGIN.left + 4} y={toY(shown) - 5}>
+          <text x={MARGIN.l + 4} y={toY(shown) - 5}>
             limit {formatResult(shown * scale)} {prettyUnit(unit)}
           </text>
         </g>
       </svg>
-    </div>
+    </Box>
   );
 }
 
-interface AxesProps extends Pick<Props, "field" | "figure"> {
-  readonly across: Range;
-  readonly up: Range;
-  readonly toX: (value: number) => number;
-  readonly toY: (value: number) => number;
-}
-
-function Axes({ across, up, toX, toY, field, figure }: AxesProps) {
-  const { scale: xScale, unit } = field.shown;
-  const columns = ticksFor([across[0] * xScale, across[1] * xScale], 7, ` ${prettyUnit(unit)}`);
-  const rows = ticksFor([up[0] * figure.scale, up[1] * figure.scale], 5);
-  const [left, right, bottom, top] = [toX(across[0]), toX(across[1]), toY(up[0]), toY(up[1])];
-  return (
-    <g stroke="var(--line)" fill="var(--muted)" aria-hidden>
-      {columns.values.map((value, index) => (
-        <g key={value}>
-          <line x1={toX(value / xScale)} x2={toX(value / xScale)} y1={bottom} y2={top} />
-          <text x={toX(value / xScale)} y={bottom + 15} textAnchor="middle" stroke="none">
-            {columns.texts[index]}
-          </text>
-        </g>
-      ))}
-      {rows.values.map((value, index) => (
-        <g key={value}>
-          <line x1={left} x2={right} y1={toY(value / figure.scale)} y2={toY(value / figure.scale)} />
-          <text x={left - 4} y={toY(value / figure.scale) + 4} textAnchor="end" stroke="none">
-            {rows.texts[index]}
-          </text>
-        </g>
-      ))}
-    </g>
-  );
+/** In the units that are shown. */
+function limitFigure(
+  curves: readonly Curve[],
+  { across, up }: { readonly across: Range; readonly up: Range },
+  { field: { shown }, figure }: Pick<Props, "field" | "figure">,
+  palette: Palette,
+): PanelFigure {
+  const scaled = ([low, high]: Range, scale: number) => [low * scale, high * scale] as const;
+  const data = curves.map(({ strategy: { label, colour, dash }, points }): PlotTrace => ({
+    type: "scatter",
+    mode: "lines",
+    name: label,
+    x: Float32Array.from(points, ([x]) => x * shown.scale),
+    y: Float32Array.from(points, ([, y]) => y * figure.scale),
+    line: { color: colour, width: 2, dash },
+  }));
+  const xaxis = marked(scaled(across, shown.scale), 7, ` ${prettyUnit(shown.unit)}`);
+  return { data, layout: panelLayout(palette, xaxis, marked(scaled(up, figure.scale), 5), []) };
 }
 
 export type Point = readonly [x: number, y: number];

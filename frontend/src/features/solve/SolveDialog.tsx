@@ -16,6 +16,7 @@ import { useEdit, useLab, useReadOnly, useScenario, useView } from "../../lab/co
 import type { Catalogues } from "../../server/useCatalogues";
 import { pointerOf, sweepFields, type SweepField } from "../../scenario/fields";
 import { Fault } from "../../ui/Messages";
+import { grouped } from "../../lib/order";
 import { Entry, labelled } from "../../ui/Entry";
 import { formatExact, formatInput, formatResult, prettyUnit } from "../../units/format";
 import { curveOf, LimitChart } from "./LimitChart";
@@ -131,7 +132,11 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
           label="Field"
           searchable
           allowDeselect={false}
-          data={bySection(fields)}
+          data={grouped(
+            fields,
+            ({ section }) => section,
+            ({ name, title }) => ({ value: name, label: title }),
+          )}
           value={draft.field}
           onChange={(name) => name !== null && patch(rangeOf(fields, name))}
         />
@@ -209,14 +214,6 @@ function rangeOf(fields: readonly SweepField[], name: string): Range {
   const [low, high] = leaf?.soft ?? [0, 1];
   return { field: name, from: leaf ? typedText(leaf, low) : "", to: leaf ? typedText(leaf, high) : "" };
 }
-
-const bySection = (fields: readonly SweepField[]) =>
-  [...new Set(fields.map(({ section }) => section))].map((section) => ({
-    group: section,
-    items: fields
-      .filter((field) => field.section === section)
-      .map(({ name, title }) => ({ value: name, label: title })),
-  }));
 
 interface AnswerProps {
   readonly solution: Solution;

@@ -16,6 +16,7 @@ import { requiredOfThese } from "../../lab/requirements";
 import { isRecording } from "../../lib/recording";
 import { useDraft } from "../../lib/useDraft";
 import { StartFoot } from "../jobForm/StartFoot";
+import { grouped } from "../../lib/order";
 import { Entry, Finder } from "../../ui/Entry";
 import { Problems, Note } from "../../ui/Messages";
 import { count, prettyUnit } from "../../units/format";
@@ -161,7 +162,6 @@ function FieldPicker({ fields, numbersOnly, error, onPick }: FieldPickerProps) {
     const [first, ...linked] = names.flatMap((name) => offered.find((field) => field.name === name) ?? []);
     return first && linked.length === names.length - 1 ? [{ title, draft: { ...draftField(first), linked } }] : [];
   });
-  const sections = [...new Set(offered.map(({ section }) => section))];
   return (
     <Finder
       label="Add a field"
@@ -174,12 +174,11 @@ function FieldPicker({ fields, numbersOnly, error, onPick }: FieldPickerProps) {
           group: "Together",
           items: together.map(({ title, draft }) => ({ value: title, label: `${title}: ${namesOf(draft)}` })),
         },
-        ...sections.map((section) => ({
-          group: section,
-          items: offered
-            .filter((field) => field.section === section)
-            .map(({ name, title }) => ({ value: name, label: `${title} ${name} ${section}` })),
-        })),
+        ...grouped(
+          offered,
+          ({ section }) => section,
+          ({ name, title, section }) => ({ value: name, label: `${title} ${name} ${section}` }),
+        ),
       ].filter(({ items }) => items.length > 0)}
       renderOption={({ option }) => {
         const field = offered.find(({ name }) => name === option.value);

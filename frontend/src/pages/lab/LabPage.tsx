@@ -10,7 +10,8 @@ import { useLabStrategies } from "../../lab/recordings";
 import { useSchemeColours, useStrategies } from "../../server/useCatalogues";
 import { LazyPart } from "../../ui/LazyPart";
 import type { Scenario, Strategy, Summary } from "../../api/types";
-import { getAt } from "../../scenario/path";
+import { hasErrors } from "../../lab/problems";
+import { getAt, numberAt } from "../../scenario/path";
 import type { Result } from "../../lab/result";
 import ui from "../../ui/ui.module.css";
 import { isRecording } from "../../lib/recording";
@@ -90,12 +91,12 @@ function PrintedTitle() {
 
 /** The browser tab's title: what this scenario is about, in a few words. */
 function pageTitle(scenario: Scenario): string {
-  const height = getAt(scenario, "/road/bump/height");
-  const from = getAt(scenario, "/speed/initial_speed_kmh");
-  const to = getAt(scenario, "/speed/target_speed_kmh");
-  if (typeof height !== "number" || typeof from !== "number" || typeof to !== "number") return "Ridelab";
-  const count = getAt(scenario, "/road/bump/count");
-  const several = typeof count === "number" && count > 1 ? `${count} × ` : "";
+  const height = numberAt(scenario, "/road/bump/height", NaN);
+  const from = numberAt(scenario, "/speed/initial_speed_kmh", NaN);
+  const to = numberAt(scenario, "/speed/target_speed_kmh", NaN);
+  if ([height, from, to].some(Number.isNaN)) return "Ridelab";
+  const count = numberAt(scenario, "/road/bump/count", 1);
+  const several = count > 1 ? `${count} × ` : "";
   const kind = getAt(scenario, "/road/bump/shape") === "kerb" ? "kerb" : height > 0 ? "bump" : "pothole";
   const plain = typeof getAt(scenario, "/road/profile") === "string" ? "measured road" : "no bump";
   const obstacle = height === 0 ? plain : `${several}${Math.abs(height * 1000).toFixed(0)} mm ${kind}`;
@@ -107,9 +108,7 @@ const SLOW_AFTER_MS = 1200;
 function Notices({ strategies }: { readonly strategies: readonly Strategy[] }) {
   const busy = useLab((state) => state.busy);
   const failure = useLab((state) => state.failure);
-  const refused = useLab(
-    (state) => Object.keys(state.serverErrors.fields).length + state.serverErrors.general.length > 0,
-  );
+  const refused = useLab((state) => hasErrors(state.serverErrors));
   const shown = useLab((state) => state.shown);
   // There is no table to say why.
   const none = useLab(({ strategies: on }) => shown !== null && !on.some((id) => id in shown.summaries));

@@ -11,6 +11,7 @@ import { LazyPart } from "../../ui/LazyPart";
 import classes from "../../ui/shell.module.css";
 import { StatusLine } from "./StatusLine";
 import { useLabContext, useLab } from "../../lab/context";
+import { hasErrors } from "../../lab/problems";
 import { hasInvalidInput, type LabState } from "../../lab/labState";
 import { sweepFields } from "../../scenario/fields";
 import { optionTitle } from "../../scenario/schema";
@@ -97,8 +98,7 @@ const OPENS =
 function obstacleOf({ failure, shown, stale, serverErrors }: LabState): string | null {
   if (failure?.kind === "unreachable") return "The server does not answer";
   if (failure?.kind === "notFound") return "There is no result here";
-  if (failure || Object.keys(serverErrors.fields).length + serverErrors.general.length > 0)
-    return "These values could not be run";
+  if (failure || hasErrors(serverErrors)) return "These values could not be run";
   if (shown?.source !== "exact" || stale) return "There is no result of these values yet";
   return null;
 }

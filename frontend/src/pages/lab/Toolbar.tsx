@@ -6,9 +6,9 @@ import type { Strategy, StrategyId } from "../../api/types";
 import { useAction, useActionButton, type ActionId } from "../../lab/actions";
 import type { ViewZoom, Axis } from "../../lab/address";
 import { useLabContext, useView, useLab, useReadOnly } from "../../lab/context";
-import { makeResultView, axisKey, type ResultView } from "../../lab/resultView";
+import { makeResultView, type ResultView } from "../../lab/resultView";
 import bar from "../../ui/toolbar.module.css";
-import { valueAt } from "../../lib/samples";
+import { converted } from "./Panels";
 import { cursor, isolateWhilePointed } from "../../lab/cursor";
 import type { LabAddress } from "../../lab/labAddress";
 import { Choice } from "../../ui/Entry";
@@ -93,19 +93,14 @@ function ZoomButton({ id, tip, zoom, shown, can }: ZoomProps) {
 
 /** From distance to time and back: zoom and cursor stay on the same piece of the run. */
 function switchAxis(router: LabAddress, resultView: ResultView | null, axis: Axis): void {
-  const first = resultView?.ids[0];
-  const series = first === undefined ? undefined : resultView?.series[first];
-  const from = resultView && series?.[axisKey(resultView.axis)];
-  const to = series?.[axisKey(axis)];
-  const convert = (x: number) => (from && to ? valueAt(from, to, x) : null);
-
+  const convert = (x: number) => resultView && converted(resultView, resultView.ids[0] ?? "", x, resultView.axis, axis);
   const { zoom } = router.get().view;
   const at = resultView && cursor.get(resultView.axis);
   cursor.set(axis, at === null ? null : convert(at));
-  router.setView({ axis, zoom: converted(zoom, convert) });
+  router.setView({ axis, zoom: zoomedAlike(zoom, convert) });
 }
 
-function converted(zoom: ViewZoom, convert: (x: number) => number | null): ViewZoom {
+function zoomedAlike(zoom: ViewZoom, convert: (x: number) => number | null): ViewZoom {
   if (zoom === "whole" || zoom === null) return zoom;
   const [low, high] = [convert(zoom[0]), convert(zoom[1])];
   return low !== null && high !== null ? [low, high] : null;
