@@ -91,6 +91,7 @@ export function Palette({ onClose }: { readonly onClose: () => void }) {
       scrollable
       maxHeight={420}
       overlayProps={{ blur: 0, backgroundOpacity: 0.25 }}
+      attributes={{ content: { "aria-label": "Commands and fields" } }}
       styles={{ actionDescription: { opacity: 1 }, actionSection: { opacity: 1 } }}
       searchProps={{ placeholder: "Command, page or field", "aria-label": "Search commands and fields" }}
     />

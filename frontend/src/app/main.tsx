@@ -54,6 +54,9 @@ const theme = createTheme({
     TextInput: small,
     // The placeholder would be a child that a menu may not have.
     Modal: { defaultProps: { closeButtonProps: { "aria-label": "Close" }, styles: { title: { fontWeight: 650 } } } },
+    // The page has one banner: its own header.
+    ModalHeader: { defaultProps: { role: "none" } },
+    DrawerHeader: { defaultProps: { role: "none" } },
     Menu: { defaultProps: { withInitialFocusPlaceholder: false } },
     // What pulses is drawn 60 times a second while the page has enough to do.
     Skeleton: { defaultProps: { animate: false } },

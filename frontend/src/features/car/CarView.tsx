@@ -13,7 +13,7 @@ import classes from "./car.module.css";
 import { Lane, Arrow } from "./Lane";
 import { restingCursor, dimensionsOf, scaleOf } from "./geometry";
 import { Card } from "../../ui/Card";
-import { formatExact } from "../../units/format";
+import { formatExact, formatNumber } from "../../units/format";
 import { valueAt } from "../../lib/samples";
 import { Choice, labelled } from "../../ui/Entry";
 
@@ -145,12 +145,14 @@ export function Key({ resultView, width, exaggeration }: Props) {
       gap="0.35rem"
       wrap="nowrap"
       pos="absolute"
-      bottom="0.2rem"
-      right="0.8rem"
+      bottom="0.1rem"
+      right="0.5rem"
+      px="0.3rem"
       fz="xs"
       c="dimmed"
+      className={classes.key}
     >
-      {size.reboundRatio !== 1 && `dampers: rebound ${formatExact(size.reboundRatio, "1")} × compression · `}
+      {size.reboundRatio !== 1 && `dampers: rebound ${formatNumber(size.reboundRatio)} × compression · `}
       heights × {exaggeration} · force {formatExact(size.forceLimit / 1000, "kN")} =
       <svg width={length} height={8} aria-hidden>
         <g transform="translate(0 4) rotate(90)">

@@ -30,6 +30,7 @@ describe("change against the baseline", () => {
   it("does not exist against nothing or zero", () => {
     expect(changeAgainst(5, 0)).toEqual({ percent: null, half: 0, verdict: "none" });
     expect(changeAgainst(0, 0)).toEqual({ percent: null, half: 0, verdict: "same" });
+    expect(changeAgainst(2e-4, 1e-8, { scale: 1e-3 }).verdict).toBe("same"); // on a flat road, in N
     expect(changeAgainst(null, 5).percent).toBeNull();
     expect(changeAgainst(5, undefined).percent).toBeNull();
   });

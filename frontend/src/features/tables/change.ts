@@ -1,7 +1,7 @@
 /** Change against a baseline, and what it means. */
 
 import type { Interval } from "../../api/types";
-import { formatResult, isNothing } from "../../units/format";
+import { formatResult } from "../../units/format";
 
 /** `luck`: smaller than what one road tells from luck. `unclear`: its interval, which is shown, holds zero. */
 export type Verdict = "better" | "worse" | "same" | "luck" | "unclear" | "none";
@@ -16,6 +16,9 @@ export interface Change {
 
 /** Smaller changes than this [%] would print as zero. */
 const NOTHING = 0.05;
+
+/** What a control loop's rounding leaves on a flat road is below this, in any unit that is shown. */
+const RESOLVED = 1e-6;
 
 interface OnOneRoad {
   /** From the values to the unit shown. */
@@ -33,8 +36,9 @@ export function changeAgainst(
   baseline: number | null | undefined,
   { scale = 1, oneRoadNoise = 0 }: OnOneRoad = {},
 ): Change {
-  if (typeof value !== "number" || typeof baseline !== "number" || isNothing(baseline)) {
-    const isBothNothing = typeof value === "number" && typeof baseline === "number" && isNothing(value);
+  const isZero = (each: number) => Math.abs(each * scale) < RESOLVED;
+  if (typeof value !== "number" || typeof baseline !== "number" || isZero(baseline)) {
+    const isBothNothing = typeof value === "number" && typeof baseline === "number" && isZero(value);
     return { percent: null, half: 0, verdict: isBothNothing ? "same" : "none" };
   }
   const percent = ((value - baseline) / Math.abs(baseline)) * 100;

@@ -10,7 +10,7 @@ import type { ResultView } from "../../lab/resultView";
 import type { Result } from "../../lab/result";
 import { setAt } from "../../scenario/path";
 import { changesQuery } from "../../server/queries";
-import { useCatalogue } from "../../server/useCatalogues";
+import { useLabels, type Labels } from "../../server/useCatalogues";
 import { CaveatMark } from "../tables/ChangeMark";
 import { caveatsOf } from "../tables/caveats";
 import { formatFixed } from "../../units/format";
@@ -30,7 +30,7 @@ export function usePairedChanges(
 }
 
 export function VerdictLine({ resultView }: { readonly resultView: ResultView }) {
-  const catalogue = useCatalogue();
+  const { catalogue, unit } = useLabels();
   const { shown, strategies, baseline, summaries } = resultView;
   const leader = leaderOf(resultView, catalogue);
   const rival = leader && rivalOf(resultView, leader, baseline);
@@ -38,7 +38,7 @@ export function VerdictLine({ resultView }: { readonly resultView: ResultView })
     [leader?.id ?? ""]: usePairedChanges(shown, leader && { baseline: leader.id }),
     [rival?.id ?? ""]: usePairedChanges(shown, rival && { baseline: rival.id }),
   };
-  const sentence = leader && rival && sentenceOf(resultView, catalogue, { leader, rival }, paired);
+  const sentence = leader && rival && sentenceOf(resultView, { ...catalogue, unit }, { leader, rival }, paired);
   const stale = useLab((state) => state.stale);
   // A screen reader is told of results, not of each step of a slider.
   const [announced, setAnnounced] = useState("");
@@ -83,7 +83,7 @@ export function EqualSpeed({ resultView }: { readonly resultView: ResultView }) 
 }
 
 type Compared = Pick<ResultView, "shown" | "strategies" | "summaries">;
-type Signals = Pick<Catalogue, "paper_signals" | "signals">;
+type Signals = Pick<Catalogue, "paper_signals" | "signals"> & Partial<Pick<Labels, "unit">>;
 /** By baseline what the result's roads say against it, paired by road. */
 export type PairedAgainst = Readonly<Record<StrategyId, OverRoads["changes"] | undefined>>;
 
@@ -124,6 +124,7 @@ const headlineOf = (summary: Parameters<typeof valueAt>[0]): WindowMetric =>
 
 function between(
   { shown, summaries }: Compared,
+  { unit }: Signals,
   [one, other]: readonly [Strategy, Strategy],
   metric: WindowMetric,
   paired: PairedAgainst,
@@ -131,7 +132,7 @@ function between(
   return changeBetween(
     { strategy: one, shown, summary: summaries[one.id] },
     { summary: summaries[other.id], scenario: shown.scenario, pair: [one, other] },
-    { metric, paired: paired[other.id] },
+    { metric, scale: unit?.(metric.signal).scale ?? 1, paired: paired[other.id] },
   );
 }
 
@@ -149,7 +150,7 @@ export function scoreOf(compared: Compared, catalogue: Signals, leader: Strategy
   const others = compared.strategies.filter(({ id }) => id !== leader.id);
   const verdicts = metricsOf(compared, catalogue).map((metric) =>
     others.map((other) => {
-      const verdict = between(compared, [other, leader], metric, paired)?.verdict ?? null;
+      const verdict = between(compared, catalogue, [other, leader], metric, paired)?.verdict ?? null;
       // On one road only against a leader that is at zero, where the other is not.
       return verdict === "none" && !compared.shown.over ? "worse" : verdict;
     }),
@@ -213,7 +214,7 @@ export function sentenceOf(
 ): Sentence | null {
   const score = scoreOf(compared, catalogue, leader, paired);
   const metric = headlineOf(compared.summaries[leader.id]);
-  const change = between(compared, [leader, rival], metric, paired);
+  const change = between(compared, catalogue, [leader, rival], metric, paired);
   if (score === null || change === null) return null;
   const { best, behind, equal, of } = score;
   const noise = oneRoadNoiseOf([leader, rival], metric, isRandom(compared.shown.scenario));
