@@ -15,6 +15,9 @@ export interface SweepField {
   readonly leaf: NumberField | ChoiceField;
 }
 
+/** A greater one is another road, not more of anything. */
+export const SEED = "road.seed";
+
 /** Fields that are often swept as one: their title, and the fields, of which the first is swept. */
 export const TOGETHER = [
   { title: "Speed at the bump", names: ["speed.initial_speed_kmh", "speed.target_speed_kmh"] },

@@ -5,7 +5,7 @@ import { requiredOfThese, type Requirement } from "../../lab/requirements";
 import { type Metric, fullName } from "../../server/metrics";
 import { NO_RANGE, parseTyped } from "../../scenario/limits";
 import type { NumberField } from "../../scenario/schema";
-import type { SweepField } from "../../scenario/fields";
+import { SEED, type SweepField } from "../../scenario/fields";
 import { prettyUnit, formatInput } from "../../units/format";
 import { parseQuantity, unitBehind } from "../../units/quantity";
 
@@ -53,10 +53,7 @@ export interface ParsedDraft {
 
 const MOST_ROADS = 50;
 
-/** A greater seed is another road, not more of anything. */
-const UNORDERED = "road.seed";
-
-export const askable = ({ name, leaf }: SweepField): boolean => leaf.kind === "number" && name !== UNORDERED;
+export const askable = ({ name, leaf }: SweepField): boolean => leaf.kind === "number" && name !== SEED;
 
 /** `held` where all requirements have to hold, in place of a limit of the figure. */
 export function readDraft(draft: SolveDraft, field: NumberField, figure: Metric | Held): ParsedDraft {

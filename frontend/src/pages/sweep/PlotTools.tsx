@@ -5,7 +5,6 @@ import { useState } from "react";
 import bar from "../../ui/toolbar.module.css";
 import { Choice, Entry, labelled } from "../../ui/Entry";
 import { titleWithUnit, formatInput } from "../../units/format";
-import type { AxisOf } from "../../features/sweep/table";
 import { optionsOf, type Metric } from "../../server/metrics";
 import { type PlotKind, NONE } from "./view";
 import type { SweepParts } from "./shownPlot";
@@ -13,9 +12,7 @@ import { parseQuantity } from "../../units/quantity";
 import type { Strategy } from "../../api/types";
 import { outlineOf, type MarkerSymbol } from "../../plots/markers";
 
-interface Props extends Pick<SweepParts, "strategies" | "markers" | "figures" | "shown" | "view" | "onView"> {
-  readonly axes: readonly AxisOf[];
-}
+type Props = Pick<SweepParts, "strategies" | "markers" | "figures" | "shown" | "view" | "onView">;
 
 const KINDS: readonly { readonly value: PlotKind; readonly label: string }[] = [
   { value: "points", label: "Curves" },
@@ -23,8 +20,8 @@ const KINDS: readonly { readonly value: PlotKind; readonly label: string }[] = [
   { value: "trade_off", label: "Trade-off" },
 ];
 
-export function PlotTools({ axes, strategies, markers, figures, shown, view, onView }: Props) {
-  const { kind, mappable } = shown;
+export function PlotTools({ strategies, markers, figures, shown, view, onView }: Props) {
+  const { kind, mappable, axes } = shown;
   const offered = KINDS.filter(({ value }) => value !== "map" || mappable);
   const metric = (label: string, figure: Metric, onPick: (key: string) => void) => (
     <Select

@@ -6,7 +6,6 @@ import type { Group, NumberField } from "../../scenario/schema";
 import { BatchRows } from "./SweepRows";
 import { paperMetrics, fullName } from "../../server/metrics";
 import {
-  axesOf,
   batchRequirementsQuery,
   cell,
   textCell,
@@ -137,7 +136,7 @@ function BatchPlot({ batch, columns, strategies, markers, figures, shown, view, 
   const common = { batch, columns, strategies, shown, textOf, onOpen, height: HEIGHT };
   return (
     <Card aria-label="Plot">
-      <PlotTools axes={axesOf(fields)} {...{ strategies, markers, figures, shown, view, onView }} />
+      <PlotTools {...{ strategies, markers, figures, shown, view, onView }} />
       {shown.kind === "map" ? (
         <MapPlot {...common} />
       ) : (

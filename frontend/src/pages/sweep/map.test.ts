@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { frontOf } from "./lines";
-import { coarse, failing, firstOf, hatched, mapGrid, shareBelow, unsettled } from "./map";
-import { mapFigure } from "./MapPlot";
+import { coarse, failing, firstFailure, hatched, mapGrid, shareBelow } from "./map";
+import { mapFigure } from "./mapFigure";
 import type { GridTrace } from "../../plots/plotly";
 import type { Columns } from "../../features/sweep/table";
 
@@ -13,7 +13,7 @@ const COLUMNS: Columns = {
   speed: [20, 20, 40, 40, 20, 20, 40, 40],
   peak: [1, 2, 3, 3, 2, 8, null, 9],
 };
-const QUESTION = { x: "height", y: "speed", metric: "peak", scale: 10, strategy: "lv", against: null };
+const QUESTION = { x: "height", y: "speed", metric: "peak", scale: 10, strategy: "lv", against: null, oneRoadNoise: 0 };
 
 describe("a map", () => {
   it("has a cell for each pair of values, and a gap where there is none", () => {
@@ -24,9 +24,17 @@ describe("a map", () => {
         [10, 20],
         [30, null],
       ],
+      halves: [
+        [0, 0],
+        [0, 0],
+      ],
+      unsettled: [
+        [false, false],
+        [false, false],
+      ],
       rows: [
-        [0, 4],
-        [2, 6],
+        [[0], [4]],
+        [[2], [6]],
       ],
     });
   });
@@ -64,12 +72,11 @@ describe("a map", () => {
   it("knows where a tyre was in the air, and where a change may be luck", () => {
     const grid = mapGrid(
       { ...COLUMNS, "events.airborne_ms": [0, 0, 5, 0, 0.5, 0, 0, 9] },
-      { ...QUESTION, against: "passive" },
+      { ...QUESTION, against: "passive", oneRoadNoise: 60 },
     );
     if (!grid) throw new Error("no grid");
     const required = { ...COLUMNS, requirements: ["pass", null, "fail", null, "fail", null, "pass", null] };
-    const fails = failing(grid, required);
-    expect([fails, firstOf(grid, fails), firstOf(grid, [])]).toEqual([
+    expect([failing(grid, required), firstFailure(grid, required), firstFailure(grid, COLUMNS)]).toEqual([
       [
         [false, true],
         [true, false],
@@ -85,9 +92,44 @@ describe("a map", () => {
       [true, false],
       [false, false],
     ]);
-    expect(unsettled(grid, 60)).toEqual([
+    expect(grid.unsettled).toEqual([
       [true, false],
       [true, false],
+    ]);
+  });
+
+  it("over several roads has the change of the means, which is open where its interval holds zero", () => {
+    // On three roads LV has half of what the passive car has; at the other speed sometimes less and sometimes more.
+    const peaks = { lv: [1, 2, 3, 1, 5, 2], passive: [2, 4, 6, 2, 4, 3] };
+    const rows = (["lv", "passive"] as const).flatMap((strategy) =>
+      [20, 40].flatMap((speed, part) =>
+        [1, 2, 3].flatMap((seed, road) =>
+          [5, 10].map((height) => ({ strategy, speed, seed, height, peak: peaks[strategy][3 * part + road] ?? 0 })),
+        ),
+      ),
+    );
+    const columns: Columns = {
+      run: rows.map((_, index) => index),
+      "road.seed": rows.map(({ seed }) => seed),
+      ...Object.fromEntries(
+        (["strategy", "speed", "height", "peak"] as const).map((key) => [key, rows.map((row) => row[key])]),
+      ),
+    };
+    const own = mapGrid(columns, QUESTION);
+    expect(own?.values).toEqual([
+      [20, 20],
+      [expect.closeTo(80 / 3, 9), expect.closeTo(80 / 3, 9)],
+    ]);
+    expect(own?.rows[0]?.[0]).toEqual([0, 2, 4]);
+    const change = mapGrid(columns, { ...QUESTION, against: "passive", oneRoadNoise: 60 });
+    expect(change?.values).toEqual([
+      [-50, -50],
+      [expect.closeTo(-100 / 9, 9), expect.closeTo(-100 / 9, 9)],
+    ]);
+    expect(change?.halves[0]).toEqual([0, 0]);
+    expect(change?.unsettled).toEqual([
+      [false, false],
+      [true, true],
     ]);
   });
 
@@ -112,7 +154,6 @@ describe("a map", () => {
       coarse: [],
       hatched: [],
       failing: [],
-      pale: [],
       textOf: (row: number, value: number) => [`run ${row}`, String(value)],
       palette: { text: "#000", grid: "#ccc", zero: "#999" },
       scheme: "light",
@@ -129,7 +170,7 @@ describe("a map", () => {
     ]);
     const [change] = mapFigure({ ...rest, difference: true, threshold: null }).data as readonly GridTrace[];
     expect([change?.zmin, change?.zmax]).toEqual([-30, 30]);
-    const marked = { hatched: [[false], [true, false]], pale: [[true, false], [false]] };
+    const marked = { hatched: [[false], [true, false]], grid: { ...grid, unsettled: [[true, false], [false]] } };
     const coming = { coarse: [[null], [null, 30]] };
     const { data } = mapFigure({ ...rest, ...marked, ...coming, difference: true, threshold: null });
     expect(data.slice(1)).toEqual([

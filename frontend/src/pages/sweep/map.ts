@@ -1,8 +1,10 @@
-/** A metric over two swept fields: one strategy's, or its change against another's in percent. */
+/** A metric over two swept fields: one strategy's, or its change against another's in percent; over several roads means. */
 
 import type { StrategyId } from "../../api/types";
 import { changeAgainst } from "../../features/tables/change";
 import { cell, REQUIRED, type Columns } from "../../features/sweep/table";
+import { mean, pairedChangeOf } from "../../lib/intervals";
+import { SEED } from "../../scenario/fields";
 
 export type AxisValue = number | string;
 
@@ -11,34 +13,37 @@ export interface MapGrid {
   readonly xs: readonly AxisValue[];
   readonly ys: readonly AxisValue[];
   readonly values: readonly (readonly (number | null)[])[];
-  /** The strategy's row in the table. */
-  readonly rows: readonly (readonly (number | null)[])[];
+  /** Half the width of a change's interval over the roads; 0 on one. */
+  readonly halves: readonly (readonly number[])[];
+  /** Whether a change may be luck: its interval over the roads holds zero, or it is smaller than one road's luck. */
+  readonly unsettled: Marked;
+  /** The strategy's rows in the table, one for each road. */
+  readonly rows: readonly (readonly (readonly number[])[])[];
 }
+
+export type Marked = readonly (readonly boolean[])[];
 
 /** Events beyond the linear model. */
 const BEYOND_LINEAR = ["events.airborne_ms", "events.stop_contact_ms"];
 
-/** Where a tyre was in the air or a bump stop was hit, cell by cell. */
-export const hatched = ({ rows }: MapGrid, columns: Columns): readonly (readonly boolean[])[] =>
-  rows.map((line) =>
-    line.map((row) => row !== null && BEYOND_LINEAR.some((event) => Number(cell(columns, event, row) ?? 0) >= 1)),
-  );
+/** Where that is so in one of the runs, cell by cell. */
+const marked = ({ rows }: MapGrid, isSo: (row: number) => boolean): Marked =>
+  rows.map((line) => line.map((runs) => runs.some(isSo)));
 
-/** Where the run fails what is required of it, cell by cell. */
-export const failing = ({ rows }: MapGrid, columns: Columns): readonly (readonly boolean[])[] =>
-  rows.map((line) => line.map((row) => row !== null && cell(columns, REQUIRED, row) === "fail"));
+/** Where a tyre was in the air or a bump stop was hit. */
+export const hatched = (grid: MapGrid, columns: Columns): Marked =>
+  marked(grid, (row) => BEYOND_LINEAR.some((event) => Number(cell(columns, event, row) ?? 0) >= 1));
 
-/** The first run of these cells; `null` where there is none. */
-export function firstOf({ rows }: MapGrid, cells: readonly (readonly boolean[])[]): number | null {
-  const marked = rows.flatMap((line, i) =>
-    line.filter((row, j): row is number => row !== null && cells[i]?.[j] === true),
-  );
-  return marked.length > 0 ? Math.min(...marked) : null;
+const fails = (columns: Columns) => (row: number) => cell(columns, REQUIRED, row) === "fail";
+
+/** Where a run fails what is required of it. */
+export const failing = (grid: MapGrid, columns: Columns): Marked => marked(grid, fails(columns));
+
+/** The first run that fails what is required of it; `null` where there is none. */
+export function firstFailure({ rows }: MapGrid, columns: Columns): number | null {
+  const failed = rows.flat(2).filter(fails(columns));
+  return failed.length > 0 ? Math.min(...failed) : null;
 }
-
-/** Where a change [%] is within the luck of the roads, cell by cell. */
-export const unsettled = ({ values }: MapGrid, noise: number): readonly (readonly boolean[])[] =>
-  values.map((line) => line.map((value) => value !== null && Math.abs(value) < noise));
 
 /** Of each cell that has no value yet the nearest one's, counted in cells; `null` in those that have one or failed. */
 export function coarse({ values, rows }: MapGrid, columns: Columns): readonly (readonly (number | null)[])[] {
@@ -53,8 +58,7 @@ export function coarse({ values, rows }: MapGrid, columns: Columns): readonly (r
         return true;
       }),
     );
-  const isComing = (row: number | null | undefined) =>
-    typeof row === "number" && cell(columns, "status", row) !== "failed";
+  const isComing = (runs: readonly number[] = []) => runs.some((row) => cell(columns, "status", row) !== "failed");
   return values.map((line, i) =>
     line.map((value, j) => (value === null && isComing(rows[i]?.[j]) ? (nearest[i]?.[j] ?? null) : null)),
   );
@@ -67,6 +71,8 @@ interface Question {
   readonly scale: number;
   readonly strategy: StrategyId;
   readonly against: StrategyId | null;
+  /** Smaller changes [%] on one road may be luck. */
+  readonly oneRoadNoise: number;
 }
 
 /** A map of points that lie apart would be mostly gaps. */
@@ -83,31 +89,68 @@ const sorted = (values: Iterable<AxisValue>): readonly AxisValue[] =>
 
 const cellKey = (x: unknown, y: unknown) => JSON.stringify([x, y]);
 
-function rowsByCell(columns: Columns, strategy: StrategyId, x: string, y: string): ReadonlyMap<string, number> {
+function rowsByCell(columns: Columns, strategy: StrategyId, x: string, y: string): ReadonlyMap<string, number[]> {
   const rows = (columns.strategy ?? []).flatMap((name, row) => (name === strategy ? [row] : []));
-  return new Map(rows.map((row) => [cellKey(cell(columns, x, row), cell(columns, y, row)), row]));
+  const cells = new Map<string, number[]>();
+  for (const row of rows) {
+    const key = cellKey(cell(columns, x, row), cell(columns, y, row));
+    cells.set(key, [...(cells.get(key) ?? []), row]);
+  }
+  return cells;
 }
 
 /** `null` where the points make no grid. */
-export function mapGrid(columns: Columns, { x, y, metric, scale, strategy, against }: Question): MapGrid | null {
+export function mapGrid(columns: Columns, question: Question): MapGrid | null {
+  const { x, y, metric, scale, strategy, against, oneRoadNoise } = question;
   const own = rowsByCell(columns, strategy, x, y);
   const other = against === null ? null : rowsByCell(columns, against, x, y);
-  const at = (name: string) => sorted([...own.values()].map((row) => cell(columns, name, row)).filter(isAxisValue));
+  const at = (name: string) =>
+    sorted([...own.values()].map(([row = -1]) => cell(columns, name, row)).filter(isAxisValue));
   const [xs, ys] = [at(x), at(y)];
   if (xs.length < 2 || ys.length < 2 || own.size < LEAST_FILLED * xs.length * ys.length) return null;
   const valueAt = (row: number | undefined) => {
     const value = row === undefined ? null : cell(columns, metric, row);
     return typeof value === "number" ? value : null;
   };
-  const rows = ys.map((atY) => xs.map((atX) => own.get(cellKey(atX, atY)) ?? null));
-  const values = rows.map((line, i) =>
-    line.map((row, j) => {
-      const value = valueAt(row ?? undefined);
-      if (value === null || other === null) return value === null ? null : value * scale;
-      return changeAgainst(value, valueAt(other.get(cellKey(xs[j], ys[i])))).percent;
+  const cells = ys.map((atY) =>
+    xs.map((atX) => {
+      const key = cellKey(atX, atY);
+      const rows = own.get(key) ?? [];
+      if (other === null) {
+        const values = rows.map(valueAt).filter((value) => value !== null);
+        return { rows, value: values.length > 0 ? mean(values) * scale : null, half: 0, isUnsettled: false };
+      }
+      const bases = other.get(key) ?? [];
+      const onSameRoad = (row: number) => bases.find((base) => cell(columns, SEED, base) === cell(columns, SEED, row));
+      const pairs = rows.flatMap((row) => {
+        const [value, base] = [valueAt(row), valueAt(onSameRoad(row))];
+        return value === null || base === null ? [] : [[value, base] as const];
+      });
+      return { rows, ...changeOf(pairs, oneRoadNoise) };
     }),
   );
-  return { xs, ys, values, rows };
+  return {
+    xs,
+    ys,
+    values: cells.map((line) => line.map(({ value }) => value)),
+    halves: cells.map((line) => line.map(({ half }) => half)),
+    unsettled: cells.map((line) => line.map(({ isUnsettled }) => isUnsettled)),
+    rows: cells.map((line) => line.map(({ rows }) => rows)),
+  };
+}
+
+/** Of a value and what it is compared with on each road: over several the change of the means. */
+function changeOf(pairs: readonly (readonly [number, number])[], oneRoadNoise: number) {
+  const over = pairedChangeOf(
+    pairs.map(([value]) => value),
+    pairs.map(([, base]) => base),
+  );
+  const value = over?.percent ?? changeAgainst(pairs[0]?.[0], pairs[0]?.[1]).percent;
+  return {
+    value,
+    half: over?.half ?? 0,
+    isUnsettled: value !== null && Math.abs(value) < (over ? over.half : oneRoadNoise),
+  };
 }
 
 export interface Share {

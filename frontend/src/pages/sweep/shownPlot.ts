@@ -2,14 +2,17 @@
 
 import type { Batch, Strategy, StrategyId } from "../../api/types";
 import { axesOf, type AxisOf, type Columns } from "../../features/sweep/table";
+import { SEED } from "../../scenario/fields";
 import { OPENING_METRIC, type Metric } from "../../server/metrics";
 import { NONE, type BatchView, type PlotKind } from "./view";
 import type { Markers } from "../../plots/markers";
 
 export interface ShownPlot {
   readonly kind: PlotKind;
-  /** Two fields are swept, over a grid. */
+  /** Two fields are swept, over a grid, on one road or several. */
   readonly mappable: boolean;
+  /** The fields that it can be over. */
+  readonly axes: readonly AxisOf[];
   readonly x: AxisOf;
   /** A map's other field. */
   readonly other: AxisOf | null;
@@ -31,7 +34,12 @@ export function shownPlot(
   figures: readonly Metric[],
   view: BatchView,
 ): ShownPlot | null {
-  const axes = axesOf(batch.fields);
+  const all = axesOf(batch.fields);
+  const varied = all.filter(({ name }) => name !== SEED);
+  const mappable = varied.length === 2 && !batch.sweep.latin_hypercube;
+  const kind =
+    view.plot === null ? (mappable ? "map" : "points") : view.plot === "map" && !mappable ? "points" : view.plot;
+  const axes = kind === "map" ? varied : all;
   const find = (key: string | null) => figures.find((figure) => figure.key === key);
   const x = axes.find(({ name }) => name === view.x) ?? axes[0];
   const y = find(view.y) ?? find(OPENING_METRIC) ?? figures[0];
@@ -40,10 +48,10 @@ export function shownPlot(
   if (!x || !y || strategy === undefined) return null;
   const usual = ids.find((id) => id === PASSIVE && id !== strategy) ?? null;
   const against = view.against === null ? usual : (ids.find((id) => id === view.against && id !== strategy) ?? null);
-  const mappable = axes.length === 2 && !batch.sweep.latin_hypercube;
   return {
-    kind: view.plot === null ? (mappable ? "map" : "points") : view.plot === "map" && !mappable ? "points" : view.plot,
+    kind,
     mappable,
+    axes,
     x,
     other: axes.find((axis) => axis !== x) ?? null,
     y,
