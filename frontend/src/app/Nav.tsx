@@ -10,7 +10,7 @@ import { usePaletteEntries } from "../lab/actions";
 import { useLabContext, useLab } from "../lab/context";
 import { labLink } from "../lab/labAddress";
 import { useSelector } from "@tanstack/react-store";
-import { Box } from "@mantine/core";
+import { Box, Group } from "@mantine/core";
 import classes from "./nav.module.css";
 import ui from "../ui/ui.module.css";
 
@@ -24,6 +24,8 @@ function useRun(lab: Address): { readonly run?: string } {
   const id = run ?? (exists ? lab.runId : null) ?? shown;
   return id === null ? {} : { run: id };
 }
+
+const HOME = { display: "flex", alignItems: "center", gap: "0.5rem", color: "inherit", textDecoration: "none" };
 
 export function Nav() {
   const lab = useSelector(useLabContext().labAddress);
@@ -47,14 +49,14 @@ export function Nav() {
   ]);
   return (
     <>
-      <Link {...labLink(lab)} className={classes.home} aria-label="Ridelab, to the lab">
+      <Link {...labLink(lab)} style={HOME} aria-label="Ridelab, to the lab">
         <Logo />
-        <Box component="span" className={classes.name ?? ""} visibleFrom="sm">
+        <Box component="span" mr="0.6rem" fz="lg" fw={700} lts="-0.01em" visibleFrom="sm">
           Ridelab
         </Box>
       </Link>
-      <nav aria-label="Pages" className={classes.nav}>
-        <Box component="ul" className={`${ui.list} ${classes.links}`} visibleFrom={width}>
+      <Group component="nav" gap={0} wrap="nowrap" flex="none" aria-label="Pages">
+        <Group component="ul" className={ui.list ?? ""} gap="0.1rem" wrap="nowrap" visibleFrom={width}>
           {entries.map(({ label, link, ...entry }) => (
             <li key={label}>
               <Link
@@ -67,11 +69,11 @@ export function Nav() {
               </Link>
             </li>
           ))}
-        </Box>
+        </Group>
         <LazyPart>
           <PagesMenu {...{ entries, section }} hiddenFrom={width} />
         </LazyPart>
-      </nav>
+      </Group>
     </>
   );
 }

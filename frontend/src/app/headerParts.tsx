@@ -7,7 +7,6 @@ import { ask, query } from "../api/http";
 import { useActionButton } from "../lab/actions";
 import { IconButton } from "../ui/IconButton";
 import { Icon } from "../ui/icons";
-import classes from "./nav.module.css";
 import { useEffect, useState } from "react";
 import { createTimer } from "../lib/timer";
 
@@ -40,17 +39,14 @@ export function PagesMenu({ entries, section, hiddenFrom }: PagesProps) {
         {entries.map(({ label, link, ...entry }) => (
           <Menu.Item
             key={label}
-            className={classes.item ?? ""}
-            aria-current={entry.section === section ? "page" : undefined}
+            {...(entry.section === section && { "aria-current": "page" as const, fw: 650 })}
             renderRoot={(props) => <Link {...link} {...props} />}
           >
             {label}
           </Menu.Item>
         ))}
         <Menu.Divider />
-        <Menu.Item className={classes.item ?? ""} onClick={help.onClick}>
-          {help.label}
-        </Menu.Item>
+        <Menu.Item onClick={help.onClick}>{help.label}</Menu.Item>
       </Menu.Dropdown>
     </Menu>
   );

@@ -1,6 +1,6 @@
 /** The page's table: its columns are data, its first column is the rows' names and stays in sight when it scrolls sideways. */
 
-import { Text, UnstyledButton } from "@mantine/core";
+import { Box, Text, UnstyledButton } from "@mantine/core";
 import { useState, type HTMLAttributes, type ReactNode } from "react";
 import { Icon } from "./icons";
 import { inOrder, type Order } from "../lib/order";
@@ -64,6 +64,8 @@ interface Props<Row> {
   readonly attributes?: Attributes;
 }
 
+const CAPTION = { p: "0.5rem 0.9rem 0", fz: "xs", fw: 600, ta: "left" } as const;
+
 export function DataTable<Row>({
   label,
   columns,
@@ -102,7 +104,9 @@ export function DataTable<Row>({
       style={{ maxHeight: height }}
     >
       <table className={`${classes.table} ${className}`} {...rest}>
-        <caption className={captioned ? classes.caption : "visually-hidden"}>{label}</caption>
+        <Box component="caption" {...(captioned ? CAPTION : { className: "visually-hidden" })}>
+          {label}
+        </Box>
         <thead>
           <GroupHeads columns={columns} />
           <tr>
@@ -120,10 +124,10 @@ export function DataTable<Row>({
               </tr>
             ))}
             {group.note !== undefined && (
-              <tr className={classes.note}>
-                <td colSpan={columns.length}>
+              <tr>
+                <Box component="td" colSpan={columns.length} ta="left" c="dimmed">
                   <span className={classes.still}>{group.note}</span>
-                </td>
+                </Box>
               </tr>
             )}
           </tbody>

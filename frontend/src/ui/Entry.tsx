@@ -74,7 +74,14 @@ interface Props {
 /** An entry of a form's list: its title, what stands beside it, its own inputs and its error; it can be removed. */
 export function EntryRow({ title, name = title, removal = title, beside, error, onRemove, children }: Props) {
   return (
-    <div className={ui.entry} role="group" aria-label={name} data-error={error !== undefined || undefined}>
+    <Box
+      p="0.4rem 0.5rem 0.5rem 0.7rem"
+      bd={`1px solid var(--${error === undefined ? "line" : "danger"})`}
+      bdrs={8}
+      bg="var(--raised)"
+      role="group"
+      aria-label={name}
+    >
       <Group gap="0.1rem 0.7rem" pos="relative" pr="1.8rem">
         <Box component="span" fz="md" fw={600}>
           {title}
@@ -97,7 +104,7 @@ export function EntryRow({ title, name = title, removal = title, beside, error, 
       </Group>
       {children}
       {error !== undefined && <Fault>{error}</Fault>}
-    </div>
+    </Box>
   );
 }
 

@@ -7,6 +7,14 @@ import { createPortal } from "react-dom";
 import ui from "./ui.module.css";
 import shell from "./shell.module.css";
 
+/** A column of cards. */
+const MAIN = {
+  gap: "0.7rem",
+  maw: "96rem",
+  mx: "auto",
+  p: { base: "0.7rem 0.6rem 4rem", sm: "0.9rem 1rem 3rem" },
+};
+
 interface Props {
   /** Of the tab. */
   readonly title: string;
@@ -28,14 +36,14 @@ export function Page({ title, heading = title, above, lead, tools, children }: P
           {tools}
         </ShellSlot>
       )}
-      <main className={ui.main}>
+      <Stack component="main" {...MAIN}>
         {above}
         <Box component="h1" m={0} fz="xl" fw={680}>
           {heading}
         </Box>
         {lead !== undefined && <Text className={ui.lead ?? ""}>{lead}</Text>}
         {children}
-      </main>
+      </Stack>
     </>
   );
 }
@@ -44,9 +52,9 @@ export function Page({ title, heading = title, above, lead, tools, children }: P
 export function PageLoading() {
   useDocumentTitle("Ridelab");
   return (
-    <main className={ui.main}>
+    <Stack component="main" {...MAIN}>
       <Loading label="Loading the page" heights={[28, 96, 440]} />
-    </main>
+    </Stack>
   );
 }
 

@@ -5,6 +5,14 @@ import { useEffect, useEffectEvent, useLayoutEffect, useRef, type ReactNode } fr
 import { Card } from "./Card";
 import ui from "./ui.module.css";
 
+const HEAD = {
+  position: "sticky",
+  top: 0,
+  zIndex: 1,
+  borderBottom: "1px solid var(--line)",
+  background: "var(--surface)",
+} as const;
+
 interface Props {
   readonly title: string;
   /** What stands beside the title. */
@@ -31,7 +39,7 @@ export function SidePanel({ title, tools, onClose, children, ...rest }: Props) {
   }, []);
   return (
     <Card ref={ref} className={ui.sidePanel} data-unprinted aria-label={title} {...rest}>
-      <Group component="header" gap="0.4rem" wrap="nowrap" className={ui.sidePanelHead ?? ""}>
+      <Group component="header" gap="0.4rem" wrap="nowrap" p="0.4rem 0.5rem 0.4rem 0.9rem" style={HEAD}>
         <h2 className={ui.heading} style={{ flex: 1 }}>
           {title}
         </h2>

@@ -14,6 +14,12 @@ import { revealed } from "../../lab/actions";
 /** Signals the moving car needs besides those in the figures. */
 const CAR_SIGNALS = ["rear_road"];
 
+const SHEET = {
+  borderTop: "1px solid var(--line)",
+  background: "var(--surface)",
+  boxShadow: "0 -4px 24px rgb(0 0 0 / 18%)",
+};
+
 export function EditorPane() {
   const { lab } = useLabContext();
   const [form, figures] = [useForm(), useFigures()];
@@ -61,8 +67,8 @@ export function EditorPane() {
         lockScroll={false}
         trapFocus={false}
         closeOnClickOutside={false}
-        classNames={{ content: classes.sheet ?? "" }}
         styles={{
+          content: SHEET,
           header: { minHeight: "2.75rem", padding: "0.25rem 1rem", background: "inherit" },
           body: { padding: 0 },
         }}

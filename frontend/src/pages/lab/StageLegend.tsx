@@ -1,13 +1,13 @@
 /** What the shading and the lines behind the curves mean. */
 
-import { Group } from "@mantine/core";
+import { Box, Button, Group } from "@mantine/core";
+import { useMediaQuery } from "@mantine/hooks";
 import { useCatalogue, useFigures } from "../../server/useCatalogues";
 import { layersOf } from "../../plots/curves";
 import { stagedStrategy } from "../../plots/shapes";
 import { useCurves } from "../../plots/useDetail";
 import type { ResultView } from "../../lab/resultView";
 import { LineKey, StrategyName } from "../../ui/StrategyKey";
-import classes from "./legend.module.css";
 import ui from "../../ui/ui.module.css";
 import { holdIsolated, isolateWhilePointed, useIsolated } from "../../lab/cursor";
 
@@ -27,23 +27,27 @@ export function StageLegend({ resultView }: { readonly resultView: ResultView })
   const airborne = resultView.ids.some((id) => Number(resultView.summaries[id]?.events.airborne_ms ?? 0) > 0);
   const hasBand = useCurves(resultView).roads !== undefined && !resultView.differences;
   const held = useIsolated();
+  const isTouched = useMediaQuery("(hover: none)");
   const layers = resultView.differences ? [] : layersOf(resultView, resultView.shown.runId);
   const several = resultView.axis === "time" && resultView.ids.length > 1;
   return (
     <Group gap="0.2rem 1.1rem" m="0.1rem 0.2rem" fz="xs" c="dimmed">
       {resultView.ids.length > 1 &&
         resultView.strategies.map((strategy) => (
-          <button
+          <Button
             key={strategy.id}
-            type="button"
-            className={classes.strategy}
+            size="compact-xs"
+            variant={held === strategy.id ? "default" : "subtle"}
+            color="gray"
+            fw={400}
+            {...(held !== strategy.id && { c: "dimmed" })}
             aria-pressed={held === strategy.id}
             title={`Make ${strategy.label} stand out`}
             onClick={() => holdIsolated(strategy.id)}
             {...isolateWhilePointed(strategy.id)}
           >
             <StrategyName strategy={strategy} />
-          </button>
+          </Button>
         ))}
       {stages.map(({ key, label, description }) => (
         <span key={key} title={description}>
@@ -70,12 +74,9 @@ export function StageLegend({ resultView }: { readonly resultView: ResultView })
         </span>
       )}
       {several && <span>Stages shaded for {staged?.label}; the marks on top: each strategy on the bump</span>}
-      <span className={classes.hint} data-unprinted data-pointer="fine">
-        Drag across a plot to zoom, double click for the whole run
-      </span>
-      <span className={classes.hint} data-unprinted data-pointer="coarse">
-        Slide along a plot to read it
-      </span>
+      <Box component="span" ml="auto" data-unprinted>
+        {isTouched ? "Slide along a plot to read it" : "Drag across a plot to zoom, double click for the whole run"}
+      </Box>
     </Group>
   );
 }
