@@ -34,6 +34,14 @@ export function unitsLike(unit: string): Readonly<Record<string, number>> {
   return all.find((units) => unit in units) ?? { [unit]: 1 };
 }
 
+/** What somebody may call a unit: every one that measures the same, in each spelling, and what they measure. */
+export function unitWords(unit: string): string {
+  const [quantity = ""] = Object.entries(table.units).find(([, units]) => unit in units) ?? [];
+  const units = Object.keys(unitsLike(unit));
+  const spelt = Object.entries(table.aliases).flatMap(([alias, of]) => (units.includes(of) ? [alias] : []));
+  return [quantity, ...units.map(prettyUnit), ...spelt].join(" ");
+}
+
 const rounded = (value: number) => Number(value.toPrecision(12));
 
 /** How a value in `unit` is shown in `other`, which measures the same. */

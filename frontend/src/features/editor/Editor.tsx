@@ -12,7 +12,7 @@ import type { Pointer } from "../../scenario/path";
 import { type Group, findMember, optionTitle, type Member } from "../../scenario/schema";
 import { Icon } from "../../ui/icons";
 import { Fault } from "../../ui/Messages";
-import { prettyUnit } from "../../units/format";
+import { unitWords } from "../../units/quantity";
 import { BumpDrawing } from "./BumpDrawing";
 import { useVehicles, VehicleChoice } from "./VehicleChoice";
 import { focusField, revealed } from "../../lab/actions";
@@ -243,7 +243,7 @@ const hasWords = (text: string, words: readonly string[]) => words.every((word) 
 /** A field's options, unit and help text. */
 function textsOf(leaf: Leaf): string {
   const options = leaf.kind === "choice" ? leaf.options.map(optionTitle).join(" ") : "";
-  const units = leaf.kind === "number" ? `${prettyUnit(leaf.unit)} ${prettyUnit(leaf.shown.unit)}` : "";
+  const units = leaf.kind === "number" ? unitWords(leaf.unit) : "";
   return `${options} ${units} ${leaf.description}`;
 }
 
