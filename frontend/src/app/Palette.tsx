@@ -18,7 +18,7 @@ import { DataTable } from "../ui/DataTable";
 import { Icon } from "../ui/icons";
 import { MANUAL } from "../ui/manual";
 
-const GROUPS = ["Pages", "Lab", "Strategies", "Library", "Presets", "Fields"] as const;
+const GROUPS = ["Pages", "Lab", "Files", "Strategies", "Library", "Presets", "Fields"] as const;
 const MOST = 40;
 const TRANSITION_MS = 100;
 

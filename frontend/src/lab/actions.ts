@@ -96,7 +96,7 @@ export function useActionButton(id: ActionId) {
 
 /** Something that the palette finds by its name beside the actions: a page, a strategy, a preset, a field. */
 export interface PaletteEntry {
-  readonly group: "Pages" | "Strategies" | "Library" | "Presets" | "Fields";
+  readonly group: "Pages" | "Files" | "Strategies" | "Library" | "Presets" | "Fields";
   readonly label: string;
   readonly description?: string;
   readonly run: () => void;

@@ -2,6 +2,7 @@
 
 import { Button, Menu, Modal, Text } from "@mantine/core";
 import type { ReactNode } from "react";
+import { usePaletteEntries, type PaletteEntry } from "../../lab/actions";
 import { download } from "../../lib/download";
 import { Icon } from "../../ui/icons";
 import { address, askFile } from "../../api/http";
@@ -25,6 +26,14 @@ interface Props {
 }
 
 export function FileMenu({ contents, files, saving = false }: Props) {
+  usePaletteEntries(
+    files.map(({ label, save }): PaletteEntry => ({
+      group: "Files",
+      label: `Export: ${label}`,
+      description: contents,
+      run: save,
+    })),
+  );
   return (
     <Menu position="bottom-end" width={260}>
       <Menu.Target>
