@@ -1,6 +1,7 @@
 /** Keys that mean actions, and when they are somebody’s typing instead; help, and the search for an action by its name. */
 
-import { lazy, useEffect, useEffectEvent, useState } from "react";
+import { useWindowEvent } from "@mantine/hooks";
+import { lazy, useRef, useState } from "react";
 import { ACTION_IDS, ACTIONS, canRun, runAction, useAction } from "../lab/actions";
 import { LazyPart } from "../ui/LazyPart";
 
@@ -11,25 +12,17 @@ export function Keyboard() {
   const [opened, setOpened] = useState<"palette" | "help" | null>(null);
   useAction("search", () => setOpened("palette"));
   useAction("help", () => setOpened("help"));
-  const press = useEffectEvent((event: KeyboardEvent, isTyping: boolean) => {
+  const isTyping = useTyping();
+  useWindowEvent("keydown", (event) => {
     for (const id of ACTION_IDS) {
       const keys = ACTIONS[id].keys?.find((each) => isPressed(event, each));
       if (keys === undefined || !canRun(id)) continue;
-      if (event.defaultPrevented || belongsToFocus(event.target, keys, isTyping)) return;
+      if (event.defaultPrevented || belongsToFocus(event.target, keys, isTyping(event.target))) return;
       event.preventDefault();
       runAction(id);
       return;
     }
   });
-  useEffect(() => {
-    const { isTyping, stop } = watchTyping();
-    const onKey = (event: KeyboardEvent) => press(event, isTyping(event.target));
-    document.addEventListener("keydown", onKey);
-    return () => {
-      stop();
-      document.removeEventListener("keydown", onKey);
-    };
-  }, []);
   const close = () => setOpened(null);
   return (
     <LazyPart onClose={close}>
@@ -70,30 +63,23 @@ const isApart = (target: EventTarget | null) =>
   target instanceof Element && target.closest("[role=dialog]") !== null && target.closest("[data-scenario]") === null;
 
 /** Follows what is typed: whether an input holds text that is not a value yet. */
-function watchTyping() {
-  let typed: { readonly input: EventTarget; readonly before: string } | null = null;
-  const begin = ({ target, inputType }: InputEvent) => {
-    if (inputType !== "insertLineBreak" && takesText(target) && typed?.input !== target)
-      typed = { input: target, before: target.value };
-  };
+function useTyping() {
+  const typed = useRef<{ readonly input: EventTarget; readonly before: string } | null>(null);
   const end = () => {
-    typed = null;
+    typed.current = null;
   };
-  const onKey = ({ key }: KeyboardEvent) => {
-    if (key === "Enter" || key === "Escape") end();
-  };
-  document.addEventListener("beforeinput", begin, true);
-  document.addEventListener("keydown", onKey, true);
-  document.addEventListener("focusout", end, true);
-  return {
-    isTyping: (target: EventTarget | null) =>
-      takesText(target) && typed?.input === target && typed.before !== target.value,
-    stop: () => {
-      document.removeEventListener("beforeinput", begin, true);
-      document.removeEventListener("keydown", onKey, true);
-      document.removeEventListener("focusout", end, true);
+  useWindowEvent(
+    "beforeinput",
+    ({ target, inputType }) => {
+      if (inputType !== "insertLineBreak" && takesText(target) && typed.current?.input !== target)
+        typed.current = { input: target, before: target.value };
     },
-  };
+    true,
+  );
+  useWindowEvent("keydown", ({ key }) => (key === "Enter" || key === "Escape") && end(), true);
+  useWindowEvent("focusout", end, true);
+  return (target: EventTarget | null) =>
+    takesText(target) && typed.current?.input === target && typed.current.before !== target.value;
 }
 
 /** Whether a key that stands for a command belongs to what has the focus. */

@@ -1,7 +1,8 @@
 /** A panel beside the plots, which make room for it; Escape closes it. */
 
 import { CloseButton, Group, Stack } from "@mantine/core";
-import { useEffect, useEffectEvent, useLayoutEffect, useRef, type ReactNode } from "react";
+import { useWindowEvent } from "@mantine/hooks";
+import { useLayoutEffect, useRef, type ReactNode } from "react";
 import { Card } from "./Card";
 import ui from "./ui.module.css";
 
@@ -29,14 +30,9 @@ export function SidePanel({ title, tools, onClose, children, ...rest }: Props) {
     main?.toggleAttribute("data-beside", true);
     return () => main?.removeAttribute("data-beside");
   }, []);
-  const closeByKey = useEffectEvent((event: KeyboardEvent) => {
+  useWindowEvent("keydown", (event) => {
     if (event.key === "Escape" && !event.defaultPrevented) onClose();
   });
-  useEffect(() => {
-    const listen = (event: KeyboardEvent) => closeByKey(event);
-    document.addEventListener("keydown", listen);
-    return () => document.removeEventListener("keydown", listen);
-  }, []);
   return (
     <Card ref={ref} className={ui.sidePanel} data-unprinted aria-label={title} {...rest}>
       <Group component="header" gap="0.4rem" wrap="nowrap" p="0.4rem 0.5rem 0.4rem 0.9rem" style={HEAD}>

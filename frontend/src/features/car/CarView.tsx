@@ -39,17 +39,8 @@ export function CarView({ resultView }: { readonly resultView: ResultView }) {
   const other = resultView.strategies.find(({ id }) => id === second && id !== first?.id);
   const names = labelled(resultView.strategies);
 
-  const getScene = useEffectEvent(() => resultView);
-  const getStrategy = useEffectEvent(() => first?.id ?? "");
-  const getSpeed = useEffectEvent(() => Number(speed));
-  useEffect(() => {
-    if (!playing) return undefined;
-    return play(
-      () => getScene(),
-      () => getStrategy(),
-      () => getSpeed(),
-    );
-  }, [playing]);
+  const driven = useEffectEvent(() => ({ resultView, strategy: first?.id ?? "", speed: Number(speed) }));
+  useEffect(() => (playing ? play(() => driven()) : undefined), [playing]);
 
   useAction("play", first ? () => setPlaying(!playing) : null);
 
@@ -194,15 +185,22 @@ function advance(resultView: ResultView, strategy: string, from: number, elapsed
   return next === null ? high : Math.min(high, next);
 }
 
-/** Runs until the returned function is called; `result view` is asked anew for every frame. */
-function play(resultView: () => ResultView, strategy: () => string, speed: () => number): () => void {
+interface Driven {
+  readonly resultView: ResultView;
+  readonly strategy: StrategyId;
+  readonly speed: number;
+}
+
+/** Runs until the returned function is called; what is driven is asked anew for every frame. */
+function play(driven: () => Driven): () => void {
   let frame = 0;
   let last = performance.now();
   const step = (now: number) => {
-    const elapsed = Math.min(0.1, (now - last) / 1000) * speed();
+    const { resultView, strategy, speed } = driven();
+    const elapsed = Math.min(0.1, (now - last) / 1000) * speed;
     last = now;
-    const current = resultView();
-    cursor.set(current.axis, advance(current, strategy(), cursor.get(current.axis) ?? restingCursor(current), elapsed));
+    const from = cursor.get(resultView.axis) ?? restingCursor(resultView);
+    cursor.set(resultView.axis, advance(resultView, strategy, from, elapsed));
     frame = requestAnimationFrame(step);
   };
   frame = requestAnimationFrame(step);

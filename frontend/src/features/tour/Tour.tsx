@@ -1,7 +1,8 @@
 /** Five steps through the lab: each outlines a part of the page and says what it is for. */
 
 import { Button, CloseButton, Group, Popover, Portal, Text } from "@mantine/core";
-import { useEffect, useId, useLayoutEffect, useState, type Ref } from "react";
+import { useWindowEvent } from "@mantine/hooks";
+import { useEffect, useEffectEvent, useId, useLayoutEffect, useState, type Ref } from "react";
 import classes from "./tour.module.css";
 import { Note } from "../../ui/Messages";
 
@@ -62,20 +63,16 @@ function placeOf(target: Element | undefined): Place {
 /** The place of the step's target, which is brought into sight, however the page scrolls and grows. */
 function usePlace({ targets }: Step): Place {
   const [place, setPlace] = useState<Place>(() => placeOf(undefined));
+  const follow = () => setPlace(placeOf(shownTarget(targets)));
+  useWindowEvent("scroll", follow, true);
+  useWindowEvent("resize", follow);
+  const grow = useEffectEvent(follow);
   useLayoutEffect(() => {
-    const target = shownTarget(targets);
-    const follow = () => setPlace(placeOf(target));
-    target?.scrollIntoView({ block: "center" });
-    follow();
-    const observer = new ResizeObserver(follow);
+    shownTarget(targets)?.scrollIntoView({ block: "center" });
+    grow();
+    const observer = new ResizeObserver(() => grow());
     observer.observe(document.body);
-    window.addEventListener("scroll", follow, true);
-    window.addEventListener("resize", follow);
-    return () => {
-      observer.disconnect();
-      window.removeEventListener("scroll", follow, true);
-      window.removeEventListener("resize", follow);
-    };
+    return () => observer.disconnect();
   }, [targets]);
   return place;
 }
