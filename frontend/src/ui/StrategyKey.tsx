@@ -1,6 +1,7 @@
 /** A strategy's line as the plots draw it: colour and dash. */
 
-import type { ReactNode } from "react";
+import { Box, Button, type ButtonProps } from "@mantine/core";
+import type { ComponentProps, ReactNode } from "react";
 import type { Strategy } from "../api/types";
 import { prettyUnit } from "../units/format";
 import ui from "./ui.module.css";
@@ -56,5 +57,36 @@ export function LineKey({ colour = "currentColor", width = 2.5, dash = "none" }:
     <svg width="24" height="10" viewBox="0 0 24 10" aria-hidden style={{ flex: "none" }}>
       <line x1="1" x2="23" y1="5" y2="5" stroke={colour} strokeWidth={width} strokeDasharray={dash} />
     </svg>
+  );
+}
+
+interface StrategyChipProps extends ButtonProps, Omit<ComponentProps<"button">, keyof ButtonProps> {
+  readonly strategy: Pick<Strategy, "label">;
+  /** Its line or its marker. */
+  readonly icon: ReactNode;
+  readonly pressed: boolean;
+}
+
+/** Shows a strategy, or hides it. */
+export function StrategyChip({ strategy, icon, pressed, ...props }: StrategyChipProps) {
+  return (
+    <Button
+      h={30}
+      px="0.6rem"
+      fz="sm"
+      radius="xl"
+      {...(pressed
+        ? { fw: 600, bd: "1px solid var(--faint)" }
+        : { fw: 400, c: "dimmed", bg: "transparent", "data-unprinted": true })}
+      aria-pressed={pressed}
+      leftSection={
+        <Box display="flex" opacity={pressed ? 1 : 0.35}>
+          {icon}
+        </Box>
+      }
+      {...props}
+    >
+      {strategy.label}
+    </Button>
   );
 }

@@ -62,14 +62,13 @@ function placeOf(target: Element | undefined): Place {
 
 /** The place of the step's target, which is brought into sight, however the page scrolls and grows. */
 function usePlace({ targets }: Step): Place {
-  const [place, setPlace] = useState<Place>(() => placeOf(undefined));
+  const [place, setPlace] = useState<Place>(() => placeOf(shownTarget(targets)));
   const follow = () => setPlace(placeOf(shownTarget(targets)));
   useWindowEvent("scroll", follow, true);
   useWindowEvent("resize", follow);
   const grow = useEffectEvent(follow);
   useLayoutEffect(() => {
     shownTarget(targets)?.scrollIntoView({ block: "center" });
-    grow();
     const observer = new ResizeObserver(() => grow());
     observer.observe(document.body);
     return () => observer.disconnect();

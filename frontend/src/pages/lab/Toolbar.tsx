@@ -14,7 +14,7 @@ import type { LabAddress } from "../../lab/labAddress";
 import { Choice } from "../../ui/Entry";
 import { Icon } from "../../ui/icons";
 import { STRATEGIES } from "../../ui/manual";
-import { StrategyKey } from "../../ui/StrategyKey";
+import { StrategyChip, StrategyKey } from "../../ui/StrategyKey";
 import { Note } from "../../ui/Messages";
 
 interface Props {
@@ -142,19 +142,16 @@ export const StrategyChoice = memo(function StrategyChoice({
         {strategies
           .filter(({ id }) => chips.includes(id))
           .map((strategy) => (
-            <button
+            <StrategyChip
               key={strategy.id}
+              {...{ strategy }}
+              icon={<StrategyKey strategy={strategy} />}
+              pressed={selected.includes(strategy.id)}
               data-hint={strategy.description}
-              type="button"
-              className={bar.chip}
               disabled={summaries !== undefined && !(strategy.id in summaries)}
-              aria-pressed={selected.includes(strategy.id)}
               onClick={() => toggle(strategy.id)}
               {...isolateWhilePointed(strategy.id)}
-            >
-              <StrategyKey strategy={strategy} />
-              {strategy.label}
-            </button>
+            />
           ))}
       </Group>
       <Menu position="bottom-start" width={300}>

@@ -2,7 +2,7 @@
 
 import { Group, SegmentedControl, Select } from "@mantine/core";
 import { useState } from "react";
-import bar from "../../ui/toolbar.module.css";
+import { StrategyChip } from "../../ui/StrategyKey";
 import { Choice, Entry, labelled } from "../../ui/Entry";
 import { titleWithUnit, formatInput } from "../../units/format";
 import { optionsOf, type Metric } from "../../server/metrics";
@@ -57,20 +57,17 @@ export function PlotTools({ strategies, markers, figures, shown, view, onView }:
           {strategies.map((strategy) => {
             const on = !view.hidden.includes(strategy.id);
             return (
-              <button
+              <StrategyChip
                 key={strategy.id}
-                type="button"
-                className={bar.chip}
-                aria-pressed={on}
+                {...{ strategy }}
+                icon={<MarkerKey strategy={strategy} symbol={markers[strategy.id]} />}
+                pressed={on}
                 onClick={() =>
                   onView({
                     hidden: on ? [...view.hidden, strategy.id] : view.hidden.filter((id) => id !== strategy.id),
                   })
                 }
-              >
-                <MarkerKey strategy={strategy} symbol={markers[strategy.id]} />
-                {strategy.label}
-              </button>
+              />
             );
           })}
         </Group>
