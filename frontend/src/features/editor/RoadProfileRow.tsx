@@ -5,7 +5,7 @@ import { useQuery } from "@tanstack/react-query";
 import { address } from "../../api/http";
 import { useOpenItem } from "../library/open";
 import { OpenFiles } from "../library/OpenFiles";
-import { ProfileSketch } from "../library/ProfileSketch";
+import { ProfileSketch, SKETCH } from "../library/ProfileSketch";
 import { useItems } from "../../scenario/library";
 import { useEdit, useFromScenario } from "../../lab/context";
 import { roadQuery } from "../../server/queries";
@@ -16,7 +16,6 @@ import type { TextField } from "../../scenario/schema";
 import { useElementSize } from "@mantine/hooks";
 import type { MeasuredRoad } from "../../api/types";
 import { formatNumber } from "../../units/format";
-import classes from "../library/library.module.css";
 import { Choice } from "../../ui/Entry";
 
 const NONE = { value: "", label: "None" };
@@ -163,25 +162,33 @@ function RoadSpectrum({ road: { spectrum, roughness, waviness } }: { readonly ro
     of.map(([n, density]) => `${x(n).toFixed(1)},${y(density).toFixed(1)}`).join(" ");
   const straight = (at: (n: number) => number) => points([LOW, HIGH].map((n) => [n, at(n)] as const));
   return (
-    <Box ref={ref} className={classes.profile} mih={HEIGHT}>
+    <Box ref={ref} mih={HEIGHT}>
       {width > 0 && (
-        <svg width={width} height={HEIGHT} role="img" aria-label="Displacement PSD over the road classes of ISO 8608">
+        <svg
+          width={width}
+          height={HEIGHT}
+          style={SKETCH}
+          role="img"
+          aria-label="Displacement PSD over the road classes of ISO 8608"
+        >
           <svg width={width} height={HEIGHT - FOOT}>
             {CLASSES.map((name, index) => {
               const limit = line(FIRST_LIMIT * 4 ** index, 2);
               const middle = 0.1 * Math.sqrt((FIRST_LIMIT * 4 ** (index - 0.5)) / 10 ** ((top + bottom) / 2));
               return (
                 <g key={name}>
-                  {name !== "H" && <polyline points={straight(limit)} className={classes.band} />}
+                  {name !== "H" && <polyline points={straight(limit)} stroke="var(--line)" />}
                   <text x={x(middle)} y={(HEIGHT - FOOT) / 2} textAnchor="middle">
                     {middle > 1.1 * LOW && middle < 0.9 * HIGH ? name : ""}
                   </text>
                 </g>
               );
             })}
-            <polyline points={straight(fit)} className={classes.fit} />
+            <polyline points={straight(fit)} fill="none" stroke="var(--accent)" strokeWidth={1.2} />
             <polyline
-              className={classes.track}
+              fill="none"
+              stroke="var(--text)"
+              strokeWidth={1.2}
               points={points(spectrum.frequency.map((n, index) => [n, spectrum.density[index] ?? NaN] as const))}
             />
           </svg>

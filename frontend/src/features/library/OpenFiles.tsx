@@ -1,6 +1,6 @@
 /** A button that opens files in the lab. */
 
-import { Button, FileButton, CloseButton, Portal, Text } from "@mantine/core";
+import { Box, Button, FileButton, CloseButton, Portal, Text } from "@mantine/core";
 import { lazy, useEffect, useEffectEvent, useRef, useState } from "react";
 import { useWindowEvent } from "@mantine/hooks";
 import { type ItemKind, dialog } from "../../scenario/library";
@@ -9,7 +9,6 @@ import { useOpenFiles, useOpenGalleryEntry, notice, unclear } from "./open";
 import { useFromScenario } from "../../lab/context";
 import { useSelector } from "@tanstack/react-store";
 import ui from "../../ui/ui.module.css";
-import classes from "./library.module.css";
 
 const FileMapping = lazy(() => import("./FileMapping").then((module) => ({ default: module.FileMapping })));
 
@@ -77,11 +76,26 @@ export function DropFiles() {
           <FileMapping />
         </LazyPart>
       )}
-      {isOver && <div className={classes.drop}>Drop scenarios, vehicles, measured roads or recorded drives</div>}
+      {isOver && (
+        <Box pos="fixed" inset="0.5rem" bd="3px dashed var(--accent)" bdrs={12} fz="lg" fw={650} style={DROP}>
+          Drop scenarios, vehicles, measured roads or recorded drives
+        </Box>
+      )}
       <LastNotice />
     </Portal>
   );
 }
+
+const DROP = {
+  zIndex: 400,
+  display: "grid",
+  placeItems: "center",
+  background: "color-mix(in srgb, var(--surface) 88%, transparent)",
+  pointerEvents: "none",
+} as const;
+
+/** Over the form's sheet on a phone. */
+const MESSAGE = { zIndex: 300, transform: "translateX(-50%)" };
 
 function LastNotice() {
   const said = useSelector(notice);
@@ -90,7 +104,7 @@ function LastNotice() {
   const isAsked = useSelector(unclear).length > 0; // whose dialog says what is wrong
   if (!said || !isNewest || isOpen || isAsked) return null;
   return (
-    <div className={classes.message} data-unprinted>
+    <Box pos="fixed" top="3.85rem" left="50%" w="max-content" maw="calc(100% - 2rem)" style={MESSAGE} data-unprinted>
       <div className={ui.notice} role={said.isWrong ? "alert" : "status"}>
         <div>
           {said.lines.map((line) => (
@@ -99,6 +113,6 @@ function LastNotice() {
         </div>
         <CloseButton size="sm" aria-label="Close the message" onClick={() => notice.set(null)} />
       </div>
-    </div>
+    </Box>
   );
 }

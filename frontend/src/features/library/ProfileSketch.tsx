@@ -3,7 +3,6 @@
 import { useElementSize } from "@mantine/hooks";
 import { Box } from "@mantine/core";
 import { formatNumber } from "../../units/format";
-import classes from "./library.module.css";
 
 interface Props {
   readonly label: string;
@@ -19,6 +18,12 @@ interface Props {
 }
 
 const [HEIGHT, FOOT, HEAD] = [84, 16, 14];
+export const SKETCH = {
+  display: "block",
+  marginTop: "0.4rem",
+  fill: "var(--muted)",
+  fontSize: "var(--mantine-font-size-xs)",
+};
 /** No more points than can be seen. */
 const MOST = 800;
 
@@ -40,14 +45,13 @@ export function ProfileSketch({ label, distance, tracks, marks = [], caption = h
       .map((index) => `${x(distance[index] ?? 0).toFixed(1)},${y(track[index] ?? low).toFixed(1)}`)
       .join(" ");
   return (
-    <Box ref={ref} className={classes.profile} mih={HEIGHT}>
+    <Box ref={ref} mih={HEIGHT}>
       {width > 0 && heights.length > 1 && (
-        <svg width={width} height={HEIGHT} role="img" aria-label={label}>
+        <svg width={width} height={HEIGHT} style={SKETCH} role="img" aria-label={label}>
           {marks.map((mark) => (
             <rect
               key={mark.start}
-              className={classes.mark}
-              data-counts={mark.counts || undefined}
+              {...(mark.counts ? { fill: "var(--accent-soft)", stroke: "var(--accent)" } : { fill: "var(--line)" })}
               x={x(mark.start)}
               width={Math.max(3, x(mark.start + mark.width) - x(mark.start))}
               y={HEAD}
@@ -55,7 +59,13 @@ export function ProfileSketch({ label, distance, tracks, marks = [], caption = h
             />
           ))}
           {tracks.map((track, index) => (
-            <polyline key={index} points={path(track)} className={classes.track} data-track={index} />
+            <polyline
+              key={index}
+              points={path(track)}
+              fill="none"
+              stroke={index === 1 ? "var(--accent)" : "var(--text)"}
+              strokeWidth={1.2}
+            />
           ))}
           <text x={0} y={10}>
             {caption(low, high)}

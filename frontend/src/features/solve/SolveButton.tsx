@@ -5,7 +5,7 @@ import { createAtom, useSelector } from "@tanstack/react-store";
 import { lazy, memo, useEffect } from "react";
 import { useAction } from "../../lab/actions";
 import { Icon } from "../../ui/icons";
-import { useCatalogues } from "../../server/useCatalogues";
+import { useCatalogue } from "../../server/useCatalogues";
 import { LazyPart } from "../../ui/LazyPart";
 
 const SolveDialog = lazy(() => import("./SolveDialog").then((module) => ({ default: module.SolveDialog })));
@@ -38,15 +38,15 @@ export const SolveButton = memo(function SolveButton({ metric, label }: Props) {
 
 /** The dialog itself, while one is asked for; by the action about the first metric on the bump. */
 export function Solve() {
-  const catalogues = useCatalogues();
+  const { paper_signals } = useCatalogue();
   const metric = useSelector(asked);
-  useAction("solve", () => asked.set(`bump.${catalogues.catalogue.paper_signals[0] ?? ""}.peak`));
+  useAction("solve", () => asked.set(`bump.${paper_signals[0] ?? ""}.peak`));
   useEffect(() => () => asked.set(null), []);
   const close = () => asked.set(null);
   return (
     metric !== null && (
       <LazyPart onClose={close}>
-        <SolveDialog {...{ catalogues, metric }} onClose={close} />
+        <SolveDialog metric={metric} onClose={close} />
       </LazyPart>
     )
   );

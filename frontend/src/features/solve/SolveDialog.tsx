@@ -13,7 +13,7 @@ import { isRecording } from "../../lib/recording";
 import { getAt, setAt } from "../../scenario/path";
 import type { NumberField } from "../../scenario/schema";
 import { useEdit, useLab, useReadOnly, useScenario, useView } from "../../lab/context";
-import type { Catalogues } from "../../server/useCatalogues";
+import { useCatalogues } from "../../server/useCatalogues";
 import { pointerOf, sweepFields, type SweepField } from "../../scenario/fields";
 import { Fault } from "../../ui/Messages";
 import { grouped } from "../../lib/order";
@@ -42,13 +42,13 @@ const noSolution = (field: NumberField, { range: [low, high], requirements }: Qu
   `No value tried from ${valueText(field, low)} to ${valueText(field, high)} keeps ${requirements ? "every requirement. Choose another range" : "the limit. Choose another range or limit"}.`;
 
 interface Props {
-  readonly catalogues: Catalogues;
   /** Asked about first. */
   readonly metric: string;
   readonly onClose: () => void;
 }
 
-export function SolveDialog({ catalogues: { form, strategies, figures }, metric: first, onClose }: Props) {
+export function SolveDialog({ metric: first, onClose }: Props) {
+  const { form, strategies, figures } = useCatalogues();
   const fields = useMemo(() => sweepFields(form).filter(askable), [form]);
   const scenario = useScenario();
   const switchedOn = useLab((state) => state.strategies);

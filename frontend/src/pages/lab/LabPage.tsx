@@ -32,8 +32,7 @@ export function LabPage() {
 }
 
 function LabContent() {
-  const catalogue = useStrategies();
-  useSavedLaws(catalogue);
+  useSavedLaws();
   const strategies = useWithGone(useLabStrategies());
   const coloured = useSchemeColours(strategies);
   return (
@@ -53,7 +52,7 @@ function LabContent() {
         <LabMain strategies={coloured} />
       </div>
       <ShellSlot name="notices">
-        <Notices strategies={catalogue} />
+        <Notices />
       </ShellSlot>
     </>
   );
@@ -105,7 +104,8 @@ function pageTitle(scenario: Scenario): string {
 
 const SLOW_AFTER_MS = 1200;
 
-function Notices({ strategies }: { readonly strategies: readonly Strategy[] }) {
+function Notices() {
+  const strategies = useStrategies();
   const busy = useLab((state) => state.busy);
   const failure = useLab((state) => state.failure);
   const refused = useLab((state) => hasErrors(state.serverErrors));
@@ -177,7 +177,8 @@ function SlowNotice({ shown }: { readonly shown: Result | null }) {
 }
 
 /** Runs what is shown again where the file of one that is chosen was saved. */
-function useSavedLaws(strategies: readonly Strategy[]): void {
+function useSavedLaws(): void {
+  const strategies = useStrategies();
   const { lab } = useLabContext();
   const laws = lawsOf(strategies);
   const lastLaws = useRef(laws);
