@@ -11,7 +11,7 @@ import { useLabContext, useLab } from "../lab/context";
 import { labLink } from "../lab/labAddress";
 import { useSelector } from "@tanstack/react-store";
 import { Box, Group } from "@mantine/core";
-import classes from "./nav.module.css";
+import classes from "../ui/shell.module.css";
 import ui from "../ui/ui.module.css";
 
 const PagesMenu = lazy(async () => ({ default: (await firstCurves.then(() => import("./headerParts"))).PagesMenu }));

@@ -2,6 +2,7 @@
 
 import { createAtom, useSelector } from "@tanstack/react-store";
 import { useMemo } from "react";
+import { mapped } from "../api/decode";
 import type { FigureTemplate, FigureTemplates, Strategy, StrategyId } from "../api/types";
 import { isRecording } from "../lib/recording";
 import { isLike, readStored, writeStored } from "../lib/storage";
@@ -78,5 +79,5 @@ function withRecordings(templates: FigureTemplates, strategies: readonly Strateg
     return { ...template, data: [...template.data, ...traces] };
   };
   if (recorded.length === 0) return templates;
-  return Object.fromEntries(Object.entries(templates).map(([name, template]) => [name, added(template)]));
+  return mapped(templates, added);
 }

@@ -1,13 +1,8 @@
 /** Dates as a person reads them, without a doubt which number is the month. */
 
-const DAY = new Intl.DateTimeFormat("en-GB", { day: "numeric", month: "short", year: "numeric" });
-const MINUTE = new Intl.DateTimeFormat("en-GB", {
-  day: "numeric",
-  month: "short",
-  year: "numeric",
-  hour: "2-digit",
-  minute: "2-digit",
-});
+const DATE = { day: "numeric", month: "short", year: "numeric" } as const;
+const DAY = new Intl.DateTimeFormat("en-GB", DATE);
+const MINUTE = new Intl.DateTimeFormat("en-GB", { ...DATE, hour: "2-digit", minute: "2-digit" });
 
 export const formatDay = (iso: string) => DAY.format(new Date(iso));
 

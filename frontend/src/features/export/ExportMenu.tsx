@@ -18,11 +18,10 @@ import { plotsImage } from "./image";
 import { settledCurves } from "../../plots/curves";
 import { useCopied } from "../../ui/useCopied";
 import { download } from "../../lib/download";
-import { compact } from "../../ui/IconButton";
 import type { FmuRequest, Scenario, Strategy } from "../../api/types";
 import { labelled } from "../../ui/Entry";
 import { Fault } from "../../ui/Messages";
-import { FileFault, useController, saveAs } from "./FileMenu";
+import { FileFault, SaveMenu, useController, saveAs } from "./FileMenu";
 
 const FORMATS = [
   { format: "csv", label: "CSV" },
@@ -87,61 +86,48 @@ export function ExportMenu() {
 
   return (
     <>
-      <Menu position="bottom-end" width={290}>
-        <Menu.Target>
-          <Button
-            aria-label="Export"
-            leftSection={copied ? <Icon name="Check" size={15} /> : <Icon name="Download" size={15} />}
-            classNames={compact}
-            disabled={!isShown}
-            loading={controller.saving || picture.isPending}
-          >
-            {copied ? "Copied" : "Export"}
-          </Button>
-        </Menu.Target>
-        <Menu.Dropdown mah="calc(100vh - 5rem)" style={{ overflowY: "auto" }}>
-          <Menu.Label>Time histories, full resolution</Menu.Label>
-          {strategies
-            .filter(({ id }) => computed.split(",").includes(id) && selected.includes(id))
-            .map(({ id, label }) => (
-              <Group key={id} gap={0} wrap="nowrap">
-                <Text flex={1} pl="0.75rem" truncate>
-                  {label}
-                </Text>
-                {FORMATS.map(({ format, label: name }) => (
-                  <Menu.Item
-                    key={format}
-                    w="auto"
-                    px="0.6rem"
-                    fw={600}
-                    aria-label={`${label} as ${name}`}
-                    disabled={runId === null || !hasHistories}
-                    onClick={() =>
-                      download(
-                        address("/runs/{id}/series", { path: { id: runId ?? "" }, query: { strategy: id, format } }),
-                        `ridelab-${runId ?? ""}-${id}.${format}`,
-                      )
-                    }
-                  >
-                    {name}
-                  </Menu.Item>
-                ))}
-              </Group>
-            ))}
-          <Menu.Label>Everything in one file</Menu.Label>
-          <ActionItem id="report" icon="FileText" />
-          <Menu.Label>Plots as shown</Menu.Label>
-          <ActionItem id="png" icon="Photo" />
-          <ActionItem id="svg" icon="Photo" />
-          <Menu.Label>As a program</Menu.Label>
-          <ActionItem id="controller" icon="Cpu" />
-          <ActionItem id="fmu" icon="PlugConnected" />
-          <Menu.Label>This run again, elsewhere</Menu.Label>
-          <ActionItem id="python" icon="BrandPython" />
-          <ActionItem id="command" icon="Terminal2" />
-          <ActionItem id="curl" icon="WorldUpload" />
-        </Menu.Dropdown>
-      </Menu>
+      <SaveMenu disabled={!isShown} loading={controller.saving || picture.isPending} {...{ copied }}>
+        <Menu.Label>Time histories, full resolution</Menu.Label>
+        {strategies
+          .filter(({ id }) => computed.split(",").includes(id) && selected.includes(id))
+          .map(({ id, label }) => (
+            <Group key={id} gap={0} wrap="nowrap">
+              <Text flex={1} pl="0.75rem" truncate>
+                {label}
+              </Text>
+              {FORMATS.map(({ format, label: name }) => (
+                <Menu.Item
+                  key={format}
+                  w="auto"
+                  px="0.6rem"
+                  fw={600}
+                  aria-label={`${label} as ${name}`}
+                  disabled={runId === null || !hasHistories}
+                  onClick={() =>
+                    download(
+                      address("/runs/{id}/series", { path: { id: runId ?? "" }, query: { strategy: id, format } }),
+                      `ridelab-${runId ?? ""}-${id}.${format}`,
+                    )
+                  }
+                >
+                  {name}
+                </Menu.Item>
+              ))}
+            </Group>
+          ))}
+        <Menu.Label>Everything in one file</Menu.Label>
+        <ActionItem id="report" icon="FileText" />
+        <Menu.Label>Plots as shown</Menu.Label>
+        <ActionItem id="png" icon="Photo" />
+        <ActionItem id="svg" icon="Photo" />
+        <Menu.Label>As a program</Menu.Label>
+        <ActionItem id="controller" icon="Cpu" />
+        <ActionItem id="fmu" icon="PlugConnected" />
+        <Menu.Label>This run again, elsewhere</Menu.Label>
+        <ActionItem id="python" icon="BrandPython" />
+        <ActionItem id="command" icon="Terminal2" />
+        <ActionItem id="curl" icon="WorldUpload" />
+      </SaveMenu>
       {fmu && <FmuDialog {...{ strategies, scenario }} first={selected[0]} onClose={() => setFmu(false)} />}
       {controller.fault}
       <FileFault title="The plots could not be saved" error={picture.error} reset={picture.reset} />

@@ -35,29 +35,42 @@ export function FileMenu({ contents, files, saving = false }: Props) {
     })),
   );
   return (
-    <Menu position="bottom-end" width={260}>
-      <Menu.Target>
-        <Button
-          aria-label="Export"
-          classNames={compact}
-          leftSection={<Icon name="Download" size={15} />}
-          disabled={files.length === 0}
-          loading={saving}
-        >
-          Export
-        </Button>
-      </Menu.Target>
-      <Menu.Dropdown>
-        <Menu.Label>{contents}</Menu.Label>
-        {files.map(({ label, icon, save }) => (
-          <Menu.Item key={label} leftSection={icon} onClick={save}>
-            {label}
-          </Menu.Item>
-        ))}
-      </Menu.Dropdown>
-    </Menu>
+    <SaveMenu disabled={files.length === 0} loading={saving}>
+      <Menu.Label>{contents}</Menu.Label>
+      {files.map(({ label, icon, save }) => (
+        <Menu.Item key={label} leftSection={icon} onClick={save}>
+          {label}
+        </Menu.Item>
+      ))}
+    </SaveMenu>
   );
 }
+
+interface SaveMenuProps {
+  readonly disabled: boolean;
+  readonly loading: boolean;
+  /** For a moment. */
+  readonly copied?: boolean;
+  readonly children: ReactNode;
+}
+
+export const SaveMenu = ({ disabled, loading, copied = false, children }: SaveMenuProps) => (
+  <Menu position="bottom-end" width={290}>
+    <Menu.Target>
+      <Button
+        aria-label="Export"
+        classNames={compact}
+        leftSection={<Icon name={copied ? "Check" : "Download"} size={15} />}
+        {...{ disabled, loading }}
+      >
+        {copied ? "Copied" : "Export"}
+      </Button>
+    </Menu.Target>
+    <Menu.Dropdown mah="calc(100vh - 5rem)" style={{ overflowY: "auto" }}>
+      {children}
+    </Menu.Dropdown>
+  </Menu>
+);
 
 const FORMATS = [
   { format: "csv", label: "CSV", icon: <Icon name="FileTypeCsv" size={16} /> },
