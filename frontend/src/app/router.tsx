@@ -115,7 +115,7 @@ const study = createRoute({
   path: "/robustness/$id",
   ...ofJob(BATCH, "study", { to: "/robustness", label: "New study" }, loadStudies),
   validateSearch: (raw: Record<string, unknown>) => pick(raw, "baseline", "one"),
-  component: lazyRouteComponent(() => import("../pages/robustness/StudyPage"), "StudyPage"),
+  component: lazyRouteComponent(() => import("../pages/robustness/RobustnessPage"), "StudyPage"),
   remountDeps: ({ params }) => params,
 });
 const ecu = createRoute({

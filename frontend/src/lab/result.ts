@@ -49,7 +49,7 @@ export interface Result {
 
 type Answers = Readonly<Record<StrategyId, Summary | Failure>>;
 
-function split(all: Answers): Pick<Result, "summaries" | "failed"> {
+export function split(all: Answers): Pick<Result, "summaries" | "failed"> {
   const summaries: Record<StrategyId, Summary> = {};
   const failed: Failed[] = [];
   for (const [strategy, answer] of Object.entries(all)) {

@@ -35,12 +35,12 @@ describe("what the browser stores", () => {
   });
 
   const open = () => {
-    let opened: Draft<number> | undefined;
+    let opened: Draft<{ readonly seed: number }> | undefined;
     const Form = () =>
       void (opened = useDraft({
         name: "tuning",
-        initial: () => 0,
-        restore: (stored) => (typeof stored === "number" ? stored : null),
+        initial: () => ({ seed: 0 }),
+        restore: (stored) => (isLike({ seed: 0 }, stored) ? stored : null),
       }));
     renderToString(createElement(Form));
     if (!opened) throw new Error("not rendered");
@@ -48,27 +48,27 @@ describe("what the browser stores", () => {
   };
 
   it("stays where a form was edited after it was submitted", () => {
-    open().setDraft(7);
+    open().patch({ seed: 7 });
     const submitted = open();
-    open().setDraft(8);
+    open().patch({ seed: 8 });
     submitted.forget();
-    expect(open()).toMatchObject({ draft: 8, isEdited: true });
+    expect(open()).toMatchObject({ draft: { seed: 8 }, isEdited: true });
     open().forget();
-    expect(open()).toMatchObject({ draft: 0, isEdited: false });
+    expect(open()).toMatchObject({ draft: { seed: 0 }, isEdited: false });
   });
 
   it("is a tab's own, and what a new tab begins with", () => {
-    open().setDraft(7);
+    open().patch({ seed: 7 });
     const here = sessionStorage;
     openTab();
-    expect(open().draft).toBe(7);
-    open().setDraft(8);
+    expect(open().draft).toEqual({ seed: 7 });
+    open().patch({ seed: 8 });
     vi.stubGlobal("sessionStorage", here);
-    expect(open().draft).toBe(7);
+    expect(open().draft).toEqual({ seed: 7 });
     open().forget();
-    expect(open()).toMatchObject({ draft: 0, isEdited: false });
+    expect(open()).toMatchObject({ draft: { seed: 0 }, isEdited: false });
     openTab();
-    expect(open().draft).toBe(8);
+    expect(open().draft).toEqual({ seed: 8 });
   });
 });
 

@@ -5,7 +5,7 @@ import { readStored, writeStored } from "./storage";
 
 export interface Draft<Texts> {
   readonly draft: Texts;
-  readonly setDraft: (next: Texts) => void;
+  readonly patch: (change: Partial<Texts>) => void;
   /** It is not what the form opens with. */
   readonly isEdited: boolean;
   /** Opens the form anew. */
@@ -51,10 +51,12 @@ export function useDraft<Texts>({ name, of = "", initial, restore }: DraftOption
     writeStored(keyOf(name), { of, draft: null }, "sessionStorage");
     if (isSame(storedIn("localStorage", name, of), stored)) writeStored(keyOf(name), null);
   };
+  const draft = stored ?? opening;
   return {
-    draft: stored ?? opening,
+    draft,
     isEdited: stored !== null,
-    setDraft: (next) => {
+    patch: (change) => {
+      const next = { ...draft, ...change };
       setStored(next);
       writeStored(keyOf(name), { of, draft: next }, "sessionStorage");
       writeStored(keyOf(name), { of, draft: next });

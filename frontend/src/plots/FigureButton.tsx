@@ -2,14 +2,13 @@
 
 import { ActionIcon } from "@mantine/core";
 import { useDisclosure } from "@mantine/hooks";
-import { lazy, useMemo, useState, type ComponentProps, type RefObject } from "react";
+import { lazy, useMemo, useState, type ComponentProps } from "react";
 import type { FigureTemplate } from "../api/types";
 import { Icon } from "../ui/icons";
 import { LazyPart } from "../ui/LazyPart";
 import type { CurvesSource } from "./curves";
 import { requestPlotly } from "./plotly";
 import type { FigureSource } from "./saved";
-import type { ChartOnPaper } from "./paperChart";
 
 const EnlargedFigure = lazy(() => import("./EnlargedFigure").then((module) => ({ default: module.EnlargedFigure })));
 const FigureMenu = lazy(() => import("./FigureMenu").then((module) => ({ default: module.FigureMenu })));
@@ -86,29 +85,4 @@ export function FigureButton({ source }: { readonly source: FigureSource }) {
       </FigureMenu>
     </LazyPart>
   );
-}
-
-interface Props {
-  readonly title: string;
-  /** Name of the file without its ending. */
-  readonly file: string;
-  /** Where plotly draws it: the file shows what somebody has zoomed to. */
-  readonly hostRef?: RefObject<HTMLElement | null>;
-  readonly draw: () => ChartOnPaper;
-}
-
-/** Saves a chart as it is drawn, in the colours of light paper; the code that makes the file is loaded with the menu. */
-export function ChartButton({ title, file, hostRef, draw }: Props) {
-  const source: FigureSource = {
-    title,
-    file,
-    paper: async (size) => {
-      const { asZoomed, paperChart } = await import("./paperChart");
-      const { figure, ...rest } = draw();
-      return paperChart({ figure: asZoomed(figure, hostRef?.current ?? null), ...rest }, size);
-    },
-    csv: async () =>
-      (await import("./paperChart")).chartCsv(draw(), [`Ridelab: ${title}`, `page: ${window.location.href}`]),
-  };
-  return <FigureButton source={source} />;
 }

@@ -1,6 +1,6 @@
 /** What plots draw their axes with, by colour scheme. */
 
-import type { PlotLayout } from "./plotly";
+import type { LineTrace, PlotLayout, PointTrace } from "./plotly";
 
 export interface Palette {
   readonly text: string;
@@ -60,3 +60,15 @@ export function referenceLine(palette: Palette, axis: "x" | "y", value: number, 
     annotations: [{ text, [axis]: value, [other]: 1, ...across, xanchor, yanchor: "bottom", showarrow: false, font }],
   };
 }
+
+/** Lines and points that answer no pointer. */
+export const lineTrace = (
+  name: string,
+  { x, y, ...line }: Pick<LineTrace, "x" | "y"> & LineTrace["line"],
+  opacity = 1,
+): LineTrace => ({ type: "scatter", mode: "lines", name, x, y, line, opacity, hoverinfo: "skip" });
+
+export const pointTrace = (
+  name: string,
+  { x, y, ...marker }: Pick<PointTrace, "x" | "y"> & PointTrace["marker"],
+): PointTrace => ({ type: "scatter", mode: "markers", name, x, y, marker, customdata: [], hoverinfo: "skip" });

@@ -10,8 +10,8 @@ import type { PaperFigure, PaperSize } from "./saved";
 export interface ChartOnPaper {
   /** In the colours of light paper. */
   readonly figure: ChartFigure;
-  /** The traces that the legend names. */
-  readonly legend: readonly string[];
+  /** The traces that the legend names: all of them where it is left out. */
+  readonly legend?: readonly string[] | undefined;
   /** What colours stand for, with its unit: stands above the chart. */
   readonly colours?: string;
   /** Its numbers, where they are not its points. */
@@ -51,7 +51,14 @@ export function asZoomed(figure: ChartFigure, drawn: HTMLElement | null): ChartF
   return { ...figure, layout: { ...figure.layout, xaxis: zoomed(x, layout?.xaxis), yaxis: zoomed(y, layout?.yaxis) } };
 }
 
-export function paperChart({ figure: { data, layout }, legend, colours }: ChartOnPaper, size: PaperSize): PaperFigure {
+const namesOf = ({ figure: { data }, legend = data.map(({ name }) => name) }: ChartOnPaper) => legend;
+
+export function paperChart(chart: ChartOnPaper, size: PaperSize): PaperFigure {
+  const {
+    figure: { data, layout },
+    colours,
+  } = chart;
+  const legend = namesOf(chart);
   const [x, y] = axesOf(layout);
   const page = sheet(layout, size, { ...x, text: textOf(x) }, { ...y, text: textOf(y) }, legend);
   const points = size.font * POINT;
@@ -94,10 +101,13 @@ export function paperChart({ figure: { data, layout }, legend, colours }: ChartO
 const text = (value: Value) => (typeof value === "number" ? printed(value) : cell(value ?? ""));
 
 /** Lines of `#` say where it comes from; below stand the cells of a map, or the points of each trace that the legend names. */
-export function chartCsv(
-  { figure: { data, layout }, legend, colours, table }: ChartOnPaper,
-  about: readonly string[],
-): string {
+export function chartCsv(chart: ChartOnPaper, about: readonly string[]): string {
+  const {
+    figure: { data, layout },
+    colours,
+    table,
+  } = chart;
+  const legend = namesOf(chart);
   const [x, y] = axesOf(layout).map(textOf);
   const grid = data.find(isGrid);
   const dotted = new Set(data.flatMap((trace) => ("mode" in trace && trace.mode === "markers" ? [trace.name] : [])));

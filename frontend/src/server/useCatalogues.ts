@@ -44,15 +44,6 @@ export function useCatalogues() {
 
 export type Catalogues = ReturnType<typeof useCatalogues>;
 
-/** The same strategies with the colours of light paper, whatever the screen's. */
-export function useLightColours(strategies: readonly Strategy[]): readonly Strategy[] {
-  const inLight = useStrategies();
-  return useMemo(
-    () => strategies.map((each) => inLight.find(({ id }) => id === each.id) ?? each),
-    [strategies, inLight],
-  );
-}
-
 /** The strategies with the colours that stand out on the screen's background; paper is light. */
 export function useSchemeColours(strategies: readonly Strategy[]): readonly Strategy[] {
   const printed = useSelector(printing);

@@ -54,6 +54,9 @@ export function Choice({ onPick, ...props }: ChoiceProps) {
   return <NativeSelect {...props} onChange={(event) => onPick(event.currentTarget.value)} />;
 }
 
+/** Choices side by side that scroll where there is no room for all. */
+export const SCROLLED = { maw: "100%", style: { overflowX: "auto" } } as const;
+
 /** Things with an id and a label, to choose from. */
 export const labelled = (all: readonly { readonly id: string; readonly label: string }[]) =>
   all.map(({ id, label }) => ({ value: id, label }));

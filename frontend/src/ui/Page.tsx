@@ -23,10 +23,12 @@ interface Props {
   readonly above?: ReactNode;
   readonly lead?: ReactNode;
   readonly tools?: ReactNode;
+  /** Something of it is still on its way. */
+  readonly busy?: boolean;
   readonly children: ReactNode;
 }
 
-export function Page({ title, heading = title, above, lead, tools, children }: Props) {
+export function Page({ title, heading = title, above, lead, tools, busy, children }: Props) {
   useDocumentTitle(`${title} · Ridelab`);
   return (
     <>
@@ -36,7 +38,7 @@ export function Page({ title, heading = title, above, lead, tools, children }: P
           {tools}
         </ShellSlot>
       )}
-      <Stack component="main" {...MAIN}>
+      <Stack component="main" {...MAIN} aria-busy={busy}>
         {above}
         <Box component="h1" m={0} fz="xl" fw={680}>
           {heading}

@@ -7,12 +7,12 @@ import { nameRecording } from "../../lab/recordings";
 import { useCatalogue } from "../../server/useCatalogues";
 import { formatNumber, prettyUnit } from "../../units/format";
 import { unitsLike, parseQuantity } from "../../units/quantity";
-import { columnsOf, type Layout, type Table, type Use } from "./columns";
+import { columnsOf, type Use } from "./columns";
 import type { Wheels } from "./files";
-import { MappingDialog, type MappedKind } from "./MappingDialog";
-import { notice, unclear, useOpenFiles } from "./open";
+import { MappingDialog, type MappedKind, type PictureProps } from "./MappingDialog";
+import { unclear, useOpenFiles, useSay } from "./open";
 import { ProfileSketch } from "./ProfileSketch";
-import { driveKind, METRES, ROAD } from "./tableFile";
+import { driveKind, METRES, ROAD } from "./columns";
 import { Template } from "./Template";
 import { Button, Group, Modal } from "@mantine/core";
 import { useState } from "react";
@@ -40,7 +40,7 @@ export function FileMapping() {
     ...ROAD,
     action: "Drive this road",
     aside: <Template />,
-    picture: (table, uses, layout) => <RoadPicture {...{ table, uses, layout }} />,
+    Picture: RoadPicture,
     onMapped: (csv) => driveRoad(new File([csv], file.name)),
   };
   const drive: MappedKind = {
@@ -48,7 +48,7 @@ export function FileMapping() {
     action: "Show the drive",
     aside:
       "Position and clock need not fit: the drive is placed on this road where it is most like a simulated one. Empty cells are missing values.",
-    picture: (table, uses, layout) => <DrivePicture {...{ table, uses, layout }} />,
+    Picture: DrivePicture,
     onMapped: async (csv) => {
       await showDrive(file.name, csv);
       next();
@@ -61,20 +61,14 @@ export function FileMapping() {
 /** Sends a recorded drive and adds it to the strategies shown. */
 function useShowDrive() {
   const { lab } = useLabContext();
+  const say = useSay();
   return async (name: string, csv: string) => {
     const sent = await ask("post", "/recordings", { body: csv, query: {} });
     nameRecording(sent.strategy, name);
-    const { history, strategies } = lab.get();
+    const { strategies } = lab.get();
     lab.setStrategies([...strategies.filter((id) => id !== sent.strategy), sent.strategy]);
-    if (history)
-      notice.set({ lines: [`“${name}” is shown.`, ...sent.warnings], isWrong: false, scenario: history.present });
+    say([`“${name}” is shown.`, ...sent.warnings]);
   };
-}
-
-interface PictureProps {
-  readonly table: Table;
-  readonly uses: readonly Use[];
-  readonly layout: Layout;
 }
 
 function RoadPicture({ table, uses, layout }: PictureProps) {

@@ -6,7 +6,7 @@ import { Icon } from "../../ui/icons";
 import { useAction, useActionButton, usePaletteEntries } from "../../lab/actions";
 import { useReadOnly } from "../../lab/context";
 import { vehiclesQuery } from "../../server/queries";
-import { useForm, usePresets } from "../../server/useCatalogues";
+
 import { useQuery } from "@tanstack/react-query";
 import { useSelector } from "@tanstack/react-store";
 import { LazyPart } from "../../ui/LazyPart";
@@ -19,7 +19,6 @@ const LibraryDialog = lazy(() => import("./LibraryDialog").then((module) => ({ d
 const close = () => dialog.set(null);
 
 export function LibraryButton() {
-  const [form, presets] = [useForm(), usePresets()];
   const readOnly = useReadOnly();
   const saving = useSelector(dialog);
   const items = useSelector(ownLibrary);
@@ -28,25 +27,21 @@ export function LibraryButton() {
   useAction("library", canEdit ? () => dialog.set("scenario") : null);
   useAction("saveVehicle", canEdit ? () => dialog.set("vehicle") : null);
   const { data: vehicles = [] } = useQuery(vehiclesQuery);
-  const sourced = vehicles.map(
-    ({ label, vehicle }) =>
-      ({
-        group: "Library",
-        label,
-        description: "Vehicle",
-        run: () => open({ kind: "vehicle", value: vehicle }),
-      }) as const,
-  );
-  const commands = items.map(
-    (item) =>
-      ({
-        group: "Library",
-        label: item.name,
-        description: `Own ${kindWord(item.kind)}`,
-        run: () => open(item),
-      }) as const,
-  );
-  usePaletteEntries(canEdit ? [...sourced, ...commands] : []);
+  const found = [
+    ...vehicles.map(({ label, vehicle }) => ({
+      label,
+      description: "Vehicle",
+      kind: "vehicle" as const,
+      value: vehicle,
+    })),
+    ...items.map((item) => ({ label: item.name, description: `Own ${kindWord(item.kind)}`, ...item })),
+  ].map(({ label, description, ...item }) => ({
+    group: "Library" as const,
+    label,
+    description,
+    run: () => open(item),
+  }));
+  usePaletteEntries(canEdit ? found : []);
   const { label, ...button } = useActionButton("library");
   return (
     <>
@@ -60,7 +55,7 @@ export function LibraryButton() {
       </Button>
       {saving && canEdit && (
         <LazyPart onClose={close}>
-          <LibraryDialog {...{ form, presets, saving }} onClose={close} />
+          <LibraryDialog saving={saving} onClose={close} />
         </LazyPart>
       )}
     </>

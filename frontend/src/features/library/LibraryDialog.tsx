@@ -1,10 +1,10 @@
 /** One's own scenarios, vehicles, roads and sets of requirements, the presets and the vehicles with sources: saved, opened, renamed, deleted, imported and exported. */
 
-import { Button, Group, Modal, Text, SegmentedControl, TextInput } from "@mantine/core";
-import { useState } from "react";
+import { Button, Group, Modal, Text, SegmentedControl, TextInput, Box, Menu } from "@mantine/core";
+import { useState, useRef, type ReactNode } from "react";
 import { useQuery } from "@tanstack/react-query";
 import claims from "../../../../examples/paper-claims.json";
-import type { Preset, JsonObject } from "../../api/types";
+import type { JsonObject } from "../../api/types";
 import type { Group as Form } from "../../scenario/schema";
 import {
   type Item,
@@ -16,18 +16,21 @@ import {
   cleanName,
 } from "../../scenario/library";
 import ui from "../../ui/ui.module.css";
+import { messageOf } from "../../api/problem";
+import { useForm, usePresets } from "../../server/useCatalogues";
 import type { Content } from "../../scenario/withItem";
-import { useOpenItem, notice, useExportItem } from "./open";
-import { OwnItems, Titled } from "./OwnItems";
+import { useOpenItem, useSay, useExportItem } from "./open";
 import { OpenFiles } from "./OpenFiles";
 import { Template } from "./Template";
 import { changedFields, changesText, completed } from "../../scenario/differences";
 import { sameValue } from "../../scenario/path";
-import { useEdit, useScenario, useView } from "../../lab/context";
+import { useScenario, useView } from "../../lab/context";
 import { formatMinute } from "../../units/dates";
 import { Fault } from "../../ui/Messages";
 import { vehiclesQuery } from "../../server/queries";
-import { submits } from "../../ui/ListEntry";
+import { submits, MoreMenu, NameForm } from "../../ui/ListEntry";
+import { requirementsIn, requirementsText } from "../../lab/requirements";
+import { count } from "../../units/format";
 
 /** What there is for everybody, and what it is or where it comes from. */
 type Provided = Content & { readonly id: string; readonly label: string; readonly description: string };
@@ -42,13 +45,12 @@ const CLAIMS: Provided = {
 };
 
 interface Props {
-  readonly form: Form;
-  readonly presets: readonly Preset[];
   readonly saving: Exclude<ItemKind, "road">;
   readonly onClose: () => void;
 }
 
-export function LibraryDialog({ form, presets, saving, onClose }: Props) {
+export function LibraryDialog({ saving, onClose }: Props) {
+  const presets = usePresets();
   const [deleted, setDeleted] = useState<Item | null>(null);
   const { data: vehicles = [] } = useQuery(vehiclesQuery);
   const provided: Readonly<Record<string, readonly Provided[]>> = {
@@ -72,13 +74,9 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
     ownLibrary.remove(item);
     setDeleted(item);
   };
-  const restore = (item: Item) => {
-    ownLibrary.restore(item);
-    setDeleted(null);
-  };
   return (
     <Modal opened onClose={onClose} title="Library" size="xl">
-      <SaveForm form={form} kind={saving} onSaved={onClose} />
+      <SaveForm kind={saving} onSaved={onClose} />
       <Group gap="0.4rem" mt="0.5rem">
         <OpenFiles name="Files for the library" size="xs">
           Import files
@@ -93,15 +91,22 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
           <Text flex={1} role="status">
             Deleted the {kindWord(deleted.kind)} “{deleted.name}”.
           </Text>
-          <Button size="compact-xs" autoFocus onClick={() => restore(deleted)}>
+          <Button
+            size="compact-xs"
+            autoFocus
+            onClick={() => {
+              ownLibrary.restore(deleted);
+              setDeleted(null);
+            }}
+          >
             Undo
           </Button>
         </div>
       )}
-      <OwnItems title="Your scenarios" kind="scenario" {...{ form, open, remove }} />
-      <OwnItems title="Your vehicles" kind="vehicle" {...{ form, open, remove }} />
-      <OwnItems title="Your measured roads" kind="road" {...{ form, open, remove }} />
-      <OwnItems title="Your sets of requirements" kind="requirements" {...{ form, open, remove }} />
+      <OwnItems title="Your scenarios" kind="scenario" {...{ open, remove }} />
+      <OwnItems title="Your vehicles" kind="vehicle" {...{ open, remove }} />
+      <OwnItems title="Your measured roads" kind="road" {...{ open, remove }} />
+      <OwnItems title="Your sets of requirements" kind="requirements" {...{ open, remove }} />
       {Object.entries(provided).map(([title, items]) => (
         <Titled key={title} title={title}>
           {items.map(({ id, label, description, ...item }) => (
@@ -118,18 +123,16 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
   );
 }
 
-type Saved = Exclude<ItemKind, "road">;
-
 interface SaveFormProps {
-  readonly form: Form;
   /** What it offers first. */
-  readonly kind: Saved;
+  readonly kind: Props["saving"];
   readonly onSaved: () => void;
 }
 
 /** Saves the scenario or the vehicle that is edited under a name. */
-function SaveForm({ form, kind: first, onSaved }: SaveFormProps) {
-  const edit = useEdit();
+function SaveForm({ kind: first, onSaved }: SaveFormProps) {
+  const form = useForm();
+  const say = useSay();
   const exportItem = useExportItem();
   const scenario = completed(form, useScenario());
   const { requirements } = useView();
@@ -144,24 +147,14 @@ function SaveForm({ form, kind: first, onSaved }: SaveFormProps) {
   const save = () => {
     try {
       ownLibrary.save(kind, name, value);
-      notice.set({
-        lines: [`The ${kindWord(kind)} is in the library as “${name}”.`],
-        isWrong: false,
-        scenario: edit.newest(),
-      });
+      say([`The ${kindWord(kind)} is in the library as “${name}”.`]);
       onSaved();
     } catch (error) {
-      setWrong(error instanceof Error ? error.message : String(error));
+      setWrong(messageOf(error));
     }
   };
   return (
-    <Group
-      component="form"
-      gap="0.4rem"
-      onSubmit={submits(() => {
-        if (name !== "") save();
-      })}
-    >
+    <Group component="form" gap="0.4rem" onSubmit={submits(name === "" ? () => undefined : save)}>
       <SegmentedControl
         aria-label="What is saved"
         value={kind}
@@ -194,5 +187,114 @@ function SaveForm({ form, kind: first, onSaved }: SaveFormProps) {
       </Text>
       {wrong !== null && <Fault>{wrong}</Fault>}
     </Group>
+  );
+}
+
+function Titled({ title, children }: { readonly title: string; readonly children: ReactNode }) {
+  return (
+    <>
+      <Box component="h3" m="1rem 0 0.3rem" fz="md" fw={650}>
+        {title}
+      </Box>
+      <ul className={ui.list} aria-label={title}>
+        {children}
+      </ul>
+    </>
+  );
+}
+
+interface ListProps extends Pick<ItemRowProps, "open" | "remove"> {
+  readonly title: string;
+  readonly kind: ItemKind;
+}
+
+function OwnItems({ title, kind, ...row }: ListProps) {
+  const items = useItems(kind);
+  const [renamed, setRenamed] = useState<string | null>(null);
+  if (items.length === 0) return null;
+  return (
+    <Titled title={title}>
+      {items.map((item) => (
+        <ItemRow key={item.name} item={item} isRenamed={item.name === renamed} onRenamed={setRenamed} {...row} />
+      ))}
+    </Titled>
+  );
+}
+
+interface ItemRowProps {
+  readonly item: Item;
+  readonly open: (item: Item) => void;
+  readonly remove: (item: Item) => void;
+  /** It has just got its name: the focus is on its menu, as it was before. */
+  readonly isRenamed: boolean;
+  readonly onRenamed: (name: string) => void;
+}
+
+/** A scenario and a vehicle by what differs from the paper's. */
+function describe({ kind, value }: Item, form: Form): string {
+  if (kind === "road") {
+    const bumps = Array.isArray(value.bumps) ? value.bumps.length : 0;
+    return `${typeof value.length === "number" ? value.length : "?"} m, ${count(bumps, "bump")} in it`;
+  }
+  if (kind === "requirements") return requirementsText(requirementsIn(value.requirements)).replaceAll(";", "; ");
+  const paper = completed(form, {});
+  const scenario = kind === "scenario" ? value : { ...paper, vehicle: value };
+  return changesText(changedFields(form, paper, completed(form, scenario))) || "As in the paper";
+}
+
+function ItemRow({ item, open, remove, isRenamed, onRenamed }: ItemRowProps) {
+  const form = useForm();
+  const [isRenaming, setRenaming] = useState(false);
+  const menu = useRef<HTMLButtonElement>(null);
+  const exportItem = useExportItem();
+  const { name, saved } = item;
+  return (
+    <li className={ui.item}>
+      <button type="button" onClick={() => open(item)}>
+        <span className={ui.itemTitle}>{name}</span>
+        <span className={ui.under}>
+          {describe(item, form)} · {formatMinute(saved)}
+        </span>
+      </button>
+      <MoreMenu ref={menu} autoFocus={isRenamed} label={`Rename, export or delete ${name}`}>
+        <Menu.Item onClick={() => setRenaming(true)}>Rename</Menu.Item>
+        <Menu.Item onClick={() => void exportItem(item)}>Export as a file</Menu.Item>
+        <Menu.Item onClick={() => remove(item)}>Delete</Menu.Item>
+      </MoreMenu>
+      {isRenaming && (
+        <Rename
+          item={item}
+          onRenamed={onRenamed}
+          onClose={() => {
+            setRenaming(false);
+            menu.current?.focus();
+          }}
+        />
+      )}
+    </li>
+  );
+}
+
+function Rename({ item, onRenamed, onClose }: Pick<ItemRowProps, "item" | "onRenamed"> & Pick<Props, "onClose">) {
+  const [wrong, setWrong] = useState<string | null>(null);
+  const rename = (name: string) => {
+    try {
+      ownLibrary.rename(item, name);
+      onRenamed(cleanName(name));
+      onClose();
+    } catch (error) {
+      setWrong(messageOf(error));
+    }
+  };
+  return (
+    <NameForm
+      name={item.name}
+      label="New name"
+      action="Rename"
+      longest={LONGEST_NAME}
+      error={wrong}
+      onSave={rename}
+      onClose={onClose}
+    />
   );
 }

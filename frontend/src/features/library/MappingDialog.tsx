@@ -18,6 +18,12 @@ import {
 } from "./columns";
 import { Choice } from "../../ui/Entry";
 
+export interface PictureProps {
+  readonly table: Table;
+  readonly uses: readonly Use[];
+  readonly layout: Layout;
+}
+
 /** What a table may be of, and what becomes of it. */
 export interface MappedKind extends TableKind {
   /** Of the button that goes on. */
@@ -25,7 +31,7 @@ export interface MappedKind extends TableKind {
   /** Beside the buttons. */
   readonly aside: ReactNode;
   /** Of the mapped table. */
-  readonly picture: (table: Table, uses: readonly Use[], layout: Layout) => ReactNode;
+  readonly Picture: (props: PictureProps) => ReactNode;
   /** With the mapped table as CSV; fails, or says what is wrong with it. */
   readonly onMapped: (csv: string) => Promise<string | null>;
 }
@@ -137,7 +143,7 @@ export function MappingDialog({ name, text, kinds, likely, onClose }: Props) {
         rows={table.rows.slice(0, SHOWN).map((cells, index) => ({ cells, index }))}
         rowKey={({ index }) => index}
       />
-      {fault === null && kind.picture(table, uses, layout)}
+      {fault === null && <kind.Picture {...{ table, uses, layout }} />}
       {(wrong ?? fault) !== null && <Fault>{wrong ?? fault}</Fault>}
       <Group justify="space-between" mt="sm">
         <Text component="div" fz="xs" c="dimmed" flex="1 1 14rem">

@@ -2,7 +2,7 @@
 
 import { Anchor } from "@mantine/core";
 import { download } from "../../lib/download";
-import { TEMPLATE } from "./tableFile";
+import { TEMPLATE } from "./columns";
 
 export function Template() {
   const save = () => {

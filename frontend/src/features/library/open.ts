@@ -26,6 +26,12 @@ export const unclear = createAtom<readonly Unclear[]>([]);
 /** What the library has done last. */
 export const notice = createAtom<Notice | null>(null);
 
+/** Says what the library has done, of the scenario there is then. */
+export function useSay() {
+  const edit = useEdit();
+  return (lines: readonly string[], isWrong = false) => notice.set({ lines, isWrong, scenario: edit.newest() });
+}
+
 export function useOpenItem(): (item: Content) => void {
   const edit = useEdit();
   const { labAddress } = useLabContext();
@@ -39,7 +45,7 @@ export function useOpenItem(): (item: Content) => void {
 
 /** Saves an item as a file. */
 export function useExportItem(): (item: Exported) => Promise<void> {
-  const edit = useEdit();
+  const say = useSay();
   const queries = useQueryClient();
   return async (item) => {
     try {
@@ -47,11 +53,7 @@ export function useExportItem(): (item: Exported) => Promise<void> {
       await saveItem(item, queries);
     } catch (error) {
       dialog.set(null);
-      notice.set({
-        lines: [`The ${kindWord(item.kind)} “${item.name}” is not exported: ${messageOf(error)}`],
-        isWrong: true,
-        scenario: edit.newest(),
-      });
+      say([`The ${kindWord(item.kind)} “${item.name}” is not exported: ${messageOf(error)}`], true);
     }
   };
 }
@@ -59,20 +61,22 @@ export function useExportItem(): (item: Exported) => Promise<void> {
 /** Opens the gallery's scenario that the address named, once; the library keeps what is one's own. */
 export function useOpenGalleryEntry(): () => Promise<void> {
   const openFiles = useOpenFiles();
-  const edit = useEdit();
+  const say = useSay();
   return async () => {
     const name = galleryEntry.get();
     if (name === null) return;
     galleryEntry.set(null);
     const answer = await fetch(`${MANUAL}gallery/${encodeURIComponent(name)}.json`).catch(() => null);
     if (answer?.ok) await openFiles([new File([await answer.blob()], `${name}.json`)], { inLibrary: false });
-    else {
-      const line =
-        answer?.status === 404
-          ? `The manual’s gallery has no “${name}”`
-          : "The gallery’s scenario could not be fetched: open the link again";
-      notice.set({ lines: [line], isWrong: true, scenario: edit.newest() });
-    }
+    else
+      say(
+        [
+          answer?.status === 404
+            ? `The manual’s gallery has no “${name}”`
+            : "The gallery’s scenario could not be fetched: open the link again",
+        ],
+        true,
+      );
   };
 }
 
@@ -84,7 +88,7 @@ export function useOpenFiles(): OpenFiles {
   const { labAddress } = useLabContext();
   const readOnly = useReadOnly();
   const queries = useQueryClient();
-  const say = (lines: readonly string[], isWrong = false) => notice.set({ lines, isWrong, scenario: edit.newest() });
+  const say = useSay();
   return async (files, options = {}) => {
     dialog.set(null);
     if (readOnly) {

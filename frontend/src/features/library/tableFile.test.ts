@@ -1,6 +1,5 @@
 import { expect, test } from "vitest";
-import { guessUses } from "./columns";
-import { driveKind, isOpenCrg, likelyKind, ROAD, TEMPLATE } from "./tableFile";
+import { guessUses, driveKind, isOpenCrg, likelyKind, ROAD, TEMPLATE } from "./columns";
 
 test.each([
   ["x.csv", "0;1,5\n0,1;1,25\n", "road"],

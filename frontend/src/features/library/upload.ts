@@ -24,7 +24,7 @@ import {
 import { KINDS, kindWord, type Item, type ItemKind, ownLibrary } from "../../scenario/library";
 import { withItem } from "../../scenario/withItem";
 import { limitText, valueText } from "../../scenario/limits";
-import { isOpenCrg, likelyKind } from "./tableFile";
+import { isOpenCrg, likelyKind } from "./columns";
 import { download } from "../../lib/download";
 
 interface Opened extends Pick<Item, "kind" | "value" | "name"> {

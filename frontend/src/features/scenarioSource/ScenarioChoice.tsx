@@ -2,14 +2,19 @@
 
 import { Group as Row } from "@mantine/core";
 import { useState } from "react";
-import type { Group } from "../../scenario/schema";
+import { type Group, optionOf, optionTitle } from "../../scenario/schema";
 import { isNotFound } from "../../api/problem";
-import { useItems } from "../../scenario/library";
+import { useItems, roadName } from "../../scenario/library";
 import type { ScenarioSource, PageScenario } from "./scenarioSource";
-import { otherThanPaper } from "./otherThanPaper";
+import { useForm } from "../../server/useCatalogues";
+import { LabLink } from "../../ui/openInLab";
 import { Note } from "../../ui/Messages";
 import { Choice } from "../../ui/Entry";
-import { LabLink } from "../../ui/openInLab";
+import type { Scenario } from "../../api/types";
+import { isChanged, leavesOf } from "../../scenario/differences";
+import { valueText } from "../../scenario/limits";
+import { getAt } from "../../scenario/path";
+import { dotted, sweepFields } from "../../scenario/fields";
 
 const valueOf = ({ run, own, preset = "" }: ScenarioSource) =>
   run !== undefined ? "run" : own !== undefined ? `own ${own}` : `preset ${preset}`;
@@ -21,15 +26,10 @@ function originOf(value: string, run: string | undefined): ScenarioSource {
 
 interface Props {
   readonly source: PageScenario;
-  readonly form: Group | undefined;
-  readonly disabled?: boolean;
 }
 
-export function ScenarioChoice({
-  source: { origin, scenario, presets, error, choose },
-  form,
-  disabled = false,
-}: Props) {
+export function ScenarioChoice({ source: { origin, scenario, presets, error, choose } }: Props) {
+  const form = useForm();
   // A run that was once chosen stays on offer.
   const [run, setRun] = useState(origin.run);
   if (origin.run !== undefined && origin.run !== run) setRun(origin.run);
@@ -48,7 +48,7 @@ export function ScenarioChoice({
         miw="11rem"
         value={valueOf(origin)}
         error={wrong}
-        disabled={disabled || presets.length === 0}
+        disabled={presets.length === 0}
         data={[
           ...(run === undefined ? [] : [{ value: "run", label: "From a run" }]),
           ...(error !== null && origin.own !== undefined ? [{ value: valueOf(origin), label: origin.own }] : []),
@@ -65,11 +65,39 @@ export function ScenarioChoice({
         onPick={(value) => choose(originOf(value, run))}
       />
       <Note flex="1 1 16rem" pb="0.35rem">
-        {scenario && form ? otherThanPaper(scenario, form) : "\u00a0"}{" "}
+        {scenario ? otherThanPaper(scenario, form) : "\u00a0"}{" "}
         <LabLink run={origin.run}>
           {origin.run === undefined ? "Create another in the lab" : "Change it in the lab"}
         </LabLink>
       </Note>
     </Row>
   );
+}
+
+const MOST_NAMED = 6;
+
+/** `swept` are dotted names of fields, or of parts, that are told elsewhere. */
+export function otherThanPaper(scenario: Scenario, form: Group, swept: readonly string[] = []): string {
+  const texts = leavesOf(form).flatMap((leaf) =>
+    leaf.kind === "text" || leaf.kind === "data" ? [{ name: dotted(leaf.pointer), title: leaf.title, leaf }] : [],
+  );
+  const other = [...sweepFields(form), ...texts].filter(
+    ({ name, leaf }) =>
+      isChanged(scenario, leaf) && !swept.some((each) => each === name || name.startsWith(`${each}.`)),
+  );
+  if (other.length === 0) return swept.length > 0 ? "Everything else as in the paper." : "As in the paper.";
+  const named = other.slice(0, MOST_NAMED).map(({ title, leaf }) => {
+    const value = getAt(scenario, leaf.pointer);
+    if (leaf.kind === "text" && typeof value === "string") return `${title} ${roadName(value)}`;
+    if (leaf.kind === "data") return `${title} own`;
+    const text =
+      typeof value === "number" && leaf.kind === "number"
+        ? valueText(leaf, value)
+        : value === null || value === undefined
+          ? "off"
+          : optionTitle(optionOf(value));
+    return `${title} ${text}`;
+  });
+  const more = other.length - named.length;
+  return `Other than the paper: ${named.join(", ")}${more > 0 ? ` and ${more} more` : ""}.`;
 }

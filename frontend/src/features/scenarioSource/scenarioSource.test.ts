@@ -4,7 +4,7 @@ import { FORM } from "../../scenario/form.fixture";
 import { setAt } from "../../scenario/path";
 import { parseSearch, stringifySearch } from "../../lab/address";
 import { readScenarioSource } from "./scenarioSource";
-import { otherThanPaper } from "./otherThanPaper";
+import { otherThanPaper } from "./ScenarioChoice";
 
 describe("where a page's scenario comes from", () => {
   it("is a run before one of the library, and that before a preset", () => {

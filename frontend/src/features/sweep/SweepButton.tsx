@@ -6,15 +6,13 @@ import type { Batch } from "../../api/types";
 import { Icon } from "../../ui/icons";
 import { lazy } from "react";
 import { useAction, useActionButton } from "../../lab/actions";
-import { useForm, useStrategies } from "../../server/useCatalogues";
-import { LazyPart } from "../../ui/LazyPart";
 import { compact } from "../../ui/IconButton";
+import { LazyPart } from "../../ui/LazyPart";
 
 const SweepDialog = lazy(() => import("./SweepDialog").then((module) => ({ default: module.SweepDialog })));
 
 export function SweepButton({ batch }: { readonly batch?: Batch }) {
   const [opened, { open, close }] = useDisclosure(false);
-  const [form, strategies] = [useForm(), useStrategies()];
   useAction("sweep", open);
   const { label: title, ...button } = useActionButton("sweep");
   const [label, icon] = batch ? (["New sweep", "Plus"] as const) : ([title, "GridDots"] as const);
@@ -31,7 +29,7 @@ export function SweepButton({ batch }: { readonly batch?: Batch }) {
       </Button>
       {opened && (
         <LazyPart onClose={close}>
-          <SweepDialog batch={batch} form={form} strategies={strategies} onClose={close} />
+          <SweepDialog batch={batch} onClose={close} />
         </LazyPart>
       )}
     </>

@@ -3,36 +3,44 @@
 import { Button, Group, Modal, SegmentedControl, Stack, Text } from "@mantine/core";
 import { useMediaQuery } from "@mantine/hooks";
 import { useMemo } from "react";
-import type { Batch, Strategy } from "../../api/types";
-import type { Group as Form } from "../../scenario/schema";
-import { SweepList } from "./SweepList";
+import type { Batch } from "../../api/types";
+
+import { SweepList } from "./SweepState";
 import { draftField, restoreSweep, type FieldDraft, type Method, type SweepDraft } from "./draft";
 import { linkable, sweepFields, TOGETHER, type SweepField } from "../../scenario/fields";
-import { StrategyChoice } from "./StrategyChoice";
-import { SweptFieldRow } from "./SweptFieldRow";
-import { amountOf, notesOf, useSweep } from "./useSweep";
+import { amountOf, CubeEntries, notesOf, StrategyChoice, useSweep, SweptFieldRow } from "./sweepForm";
 import { useLab, useScenario, useView } from "../../lab/context";
 import { requiredOfThese } from "../../lab/requirements";
 import { isRecording } from "../../lib/recording";
+import { useForm } from "../../server/useCatalogues";
 import { useDraft } from "../../lib/useDraft";
-import { StartFoot } from "../jobForm/StartFoot";
 import { grouped } from "../../lib/order";
-import { Entry, Finder } from "../../ui/Entry";
+import { StartFoot } from "../jobForm/jobForm";
+import { Finder } from "../../ui/Entry";
 import { Problems, Note } from "../../ui/Messages";
-import { count, prettyUnit } from "../../units/format";
+import { count } from "../../units/format";
+import { NameWithUnit } from "../../ui/StrategyKey";
 import ui from "../../ui/ui.module.css";
 
 interface Props {
   /** Whose scenario it is over; without one the form's. */
   readonly batch: Batch | undefined;
-  readonly form: Form;
-  readonly strategies: readonly Strategy[];
   readonly onClose: () => void;
 }
 
 const FIRST_FIELD = "road.bump.height";
 
-export function SweepDialog({ batch, form: schema, strategies, onClose }: Props) {
+const METHODS: { value: Method; label: string }[] = [
+  { value: "grid", label: "Grid" },
+  { value: "hypercube", label: "Latin hypercube" },
+];
+const EXPLAINED: Readonly<Record<Method, string>> = {
+  grid: "Every combination of the values.",
+  hypercube: "Random points, evenly spread over the ranges.",
+};
+
+export function SweepDialog({ batch, onClose }: Props) {
+  const schema = useForm();
   const edited = useScenario();
   const scenario = batch?.scenario ?? edited;
   const switchedOn = useLab((state) => batch?.strategies ?? state.strategies);
@@ -49,10 +57,7 @@ export function SweepDialog({ batch, form: schema, strategies, onClose }: Props)
     }),
     restore: (stored) => restoreSweep(stored, fields),
   });
-  const { draft, setDraft } = form;
-  const patch = (change: Partial<SweepDraft>) => setDraft({ ...draft, ...change });
-  const patchField = (name: string, change: Partial<FieldDraft>) =>
-    patch({ fields: draft.fields.map((each) => (each.field.name === name ? { ...each, ...change } : each)) });
+  const { draft, patch } = form;
   const free = fields.filter(
     (field) => !draft.fields.some((each) => each.field === field || each.linked.includes(field)),
   );
@@ -70,17 +75,10 @@ export function SweepDialog({ batch, form: schema, strategies, onClose }: Props)
         <SegmentedControl
           aria-label="How values are combined"
           value={draft.method}
-          data={[
-            { value: "grid" satisfies Method, label: "Grid" },
-            { value: "hypercube" satisfies Method, label: "Latin hypercube" },
-          ]}
+          data={METHODS}
           onChange={(method) => patch({ method })}
         />
-        <Note>
-          {draft.method === "grid"
-            ? "Every combination of the values."
-            : "Random points, evenly spread over the ranges."}
-        </Note>
+        <Note>{EXPLAINED[draft.method]}</Note>
       </Group>
       <Stack gap="0.6rem">
         {draft.fields.map((each) => (
@@ -89,7 +87,9 @@ export function SweepDialog({ batch, form: schema, strategies, onClose }: Props)
             draft={each}
             method={draft.method}
             error={errors[each.field.name]}
-            onChange={(change) => patchField(each.field.name, change)}
+            onChange={(change) =>
+              patch({ fields: draft.fields.map((other) => (other === each ? { ...each, ...change } : other)) })
+            }
             linkable={linkable(each, free)}
             onRemove={() => patch({ fields: draft.fields.filter(({ field }) => field !== each.field) })}
           />
@@ -101,36 +101,12 @@ export function SweepDialog({ batch, form: schema, strategies, onClose }: Props)
           onPick={(picked) => patch({ fields: [...draft.fields, ...picked] })}
         />
       </Stack>
-      {draft.method === "hypercube" && (
-        <Group gap="md" align="flex-start">
-          <Entry
-            w={120}
-            label="Samples"
-            inputMode="numeric"
-            value={draft.samples}
-            error={errors.samples}
-            onType={(samples) => patch({ samples })}
-          />
-          <Entry
-            w={120}
-            label="Seed"
-            inputMode="numeric"
-            value={draft.seed}
-            error={errors.seed}
-            onType={(seed) => patch({ seed })}
-          />
-        </Group>
-      )}
-      <StrategyChoice
-        strategies={strategies}
-        selected={draft.strategies}
-        error={errors.strategies}
-        onChange={(ids) => patch({ strategies: ids })}
-      />
+      {draft.method === "hypercube" && <CubeEntries {...{ draft, errors }} w={120} onChange={patch} />}
+      <StrategyChoice {...{ draft, errors }} onChange={patch} />
       <Problems messages={general} />
       <details className={ui.more}>
         <summary>Earlier sweeps</summary>
-        <SweepList strategies={strategies} />
+        <SweepList />
       </details>
       <StartFoot
         {...{ submission, draft: form }}
@@ -160,7 +136,9 @@ function FieldPicker({ fields, numbersOnly, error, onPick }: FieldPickerProps) {
   const offered = fields.filter(({ leaf }) => !numbersOnly || leaf.kind === "number");
   const together = TOGETHER.flatMap(({ title, names }) => {
     const [first, ...linked] = names.flatMap((name) => offered.find((field) => field.name === name) ?? []);
-    return first && linked.length === names.length - 1 ? [{ title, draft: { ...draftField(first), linked } }] : [];
+    if (!first || linked.length < names.length - 1) return [];
+    const label = `${title}: ${[first, ...linked].map((field) => field.title.toLowerCase()).join(" = ")}`;
+    return [{ title, label, draft: { ...draftField(first), linked } }];
   });
   return (
     <Finder
@@ -172,7 +150,7 @@ function FieldPicker({ fields, numbersOnly, error, onPick }: FieldPickerProps) {
       data={[
         {
           group: "Together",
-          items: together.map(({ title, draft }) => ({ value: title, label: `${title}: ${namesOf(draft)}` })),
+          items: together.map(({ title, label }) => ({ value: title, label })),
         },
         ...grouped(
           offered,
@@ -194,15 +172,11 @@ function FieldPicker({ fields, numbersOnly, error, onPick }: FieldPickerProps) {
   );
 }
 
-const namesOf = ({ field, linked }: FieldDraft) =>
-  [field, ...linked].map(({ title }) => title.toLowerCase()).join(" = ");
-
 function Option({ field: { title, name, leaf } }: { readonly field: SweepField }) {
-  const unit = leaf.kind === "number" ? prettyUnit(leaf.shown.unit) : "";
   return (
     <Group component="span" gap="0 0.8rem" align="baseline" justify="space-between" w="100%">
       <span>
-        {title} {unit !== "" && <span className={ui.dim}>{unit}</span>}
+        <NameWithUnit name={title} unit={leaf.kind === "number" ? leaf.shown.unit : "1"} />
       </span>
       <code className={ui.dim}>{name}</code>
     </Group>

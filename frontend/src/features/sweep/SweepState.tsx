@@ -1,48 +1,46 @@
-/** How far a sweep is, and what it sweeps over. */
+/** How far a sweep is and what it sweeps over, and a list of those there are. */
 
 import { Box, Button } from "@mantine/core";
 import { ask } from "../../api/http";
 import type { Batch } from "../../api/types";
-import { otherThanPaper } from "../scenarioSource/otherThanPaper";
-import type { Group } from "../../scenario/schema";
-import { isFinal } from "../../jobs/follow";
-import { JobState } from "../../jobs/JobState";
-import { BATCH, useJobCall } from "../../jobs/useJob";
-import { formatDuration, formatMinute } from "../../units/dates";
+import { otherThanPaper } from "../scenarioSource/ScenarioChoice";
+import { useForm, useStrategies } from "../../server/useCatalogues";
+import { isFinal, BATCH, useJobCall } from "../../jobs/useJob";
+import { historyOf, JobState, JobList } from "../../jobs/Jobs";
+
 import { count, formatWhole } from "../../units/format";
 import { Fault, Note } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
+import { titleOf } from "./table";
 
 interface Props {
   readonly batch: Batch;
-  readonly form: Group;
   readonly connected: boolean;
   readonly left: number | null;
   readonly readOnly: boolean;
 }
 
-export function BatchState({ batch, form, connected, left, readOnly }: Props) {
+export function BatchState({ batch, connected, left, readOnly }: Props) {
   const resume = useJobCall(BATCH, batch.id, () => ask("post", "/batches/{id}/resume", { path: { id: batch.id } }));
-  const ended = isFinal(batch);
-  const counts = (
-    <>
-      <Counts batch={batch} ended={ended} />
-      {left !== null && !ended && ` · about ${formatDuration(left)} left`}
-    </>
-  );
   const goOn = batch.state === "cancelled" && (
     <Button loading={resume.isPending} onClick={() => resume.mutate(undefined)}>
       Resume
     </Button>
   );
   return (
-    <JobState kind={BATCH} job={batch} {...{ counts, connected, readOnly }} resume={goOn}>
+    <JobState
+      kind={BATCH}
+      job={batch}
+      counts={<Counts batch={batch} />}
+      {...{ left, connected, readOnly }}
+      resume={goOn}
+    >
       {resume.isError && <Fault>It could not be resumed: {resume.error.message}</Fault>}
       <Note>
         {facts(batch)}.{" "}
         {otherThanPaper(
           batch.scenario,
-          form,
+          useForm(),
           batch.fields.map(({ name }) => name),
         )}
       </Note>
@@ -58,7 +56,8 @@ export function BatchState({ batch, form, connected, left, readOnly }: Props) {
 }
 
 /** `1 ok, 2 failed of 3 runs`; `12 of 60 runs finished` where nothing has failed. */
-function Counts({ batch, ended }: { readonly batch: Batch; readonly ended: boolean }) {
+function Counts({ batch }: { readonly batch: Batch }) {
+  const ended = isFinal(batch);
   const finished = batch.done + batch.failed;
   const failed = <span className={ui.error}>{formatWhole(batch.failed)} failed</span>;
   if (batch.failed === 0) return `${formatWhole(finished)} of ${count(batch.total, "run")} finished`;
@@ -72,22 +71,38 @@ function Counts({ batch, ended }: { readonly batch: Batch; readonly ended: boole
   );
 }
 
-function facts({
-  created_at: created,
-  started_at: started,
-  finished_at: finished,
-  strategies,
-  total,
-  core_version: version,
-}: Batch): string {
-  const points = total / Math.max(1, strategies.length);
-  const parts = [
-    `${count(points, "point")} × ${count(strategies.length, "strategy", "strategies")}`,
-    `submitted ${formatMinute(created)}`,
-    ...(started !== null && finished !== null
-      ? [`took ${formatDuration((Date.parse(finished) - Date.parse(started)) / 1000)}`]
-      : []),
-    `core ${version}`,
-  ];
-  return parts.join(" · ");
+function facts(batch: Batch): string {
+  const { strategies, total } = batch;
+  const points = count(total / Math.max(1, strategies.length), "point");
+  return `${points} × ${count(strategies.length, "strategy", "strategies")} · submitted ${historyOf(batch)}`;
 }
+
+interface ListProps {
+  readonly studies?: boolean;
+  readonly current?: string;
+}
+
+export function SweepList({ studies = false, ...rest }: ListProps) {
+  const strategies = useStrategies();
+  return (
+    <JobList
+      kind={BATCH}
+      title={studies ? "Earlier studies" : "Sweeps"}
+      {...(studies && { label: STUDY_LABEL })}
+      none={
+        studies
+          ? "None yet. Choose in the form what is uncertain and start; each study stays here with all its runs."
+          : "None yet. Sweep… in the lab’s header runs a scenario over any of its fields; each sweep stays here with all its runs."
+      }
+      describe={({ label, fields, strategies: swept }) => ({
+        title: studies ? count(fields.length, "uncertain field") : titleOf(fields),
+        details: [swept.map((id) => strategies.find((strategy) => strategy.id === id)?.label ?? id).join(", ")],
+        ...(label === STUDY_LABEL && { page: "/robustness/$id" }),
+      })}
+      {...rest}
+    />
+  );
+}
+
+/** By this name a sweep is a robustness study. */
+export const STUDY_LABEL = "Robustness study";

@@ -2,11 +2,10 @@
 
 import { spansDecades } from "../../lib/steps";
 import type { StrategyId, Sweep } from "../../api/types";
-import { NO_RANGE, parseTyped, typedText } from "../../scenario/limits";
+import { typedText } from "../../scenario/limits";
 import { optionValue, type NumberField } from "../../scenario/schema";
-import type { DraftErrors } from "../jobForm/problems";
+import { readForm, readNumber, readRange, readWhole, type Parsed, type Put } from "../jobForm/jobForm";
 import { isLike } from "../../lib/storage";
-import { parseInput } from "../../units/format";
 import type { SweepField } from "../../scenario/fields";
 
 export type Method = "grid" | "hypercube";
@@ -31,11 +30,6 @@ export interface SweepDraft {
   readonly seed: string;
   readonly strategies: readonly StrategyId[];
 }
-
-/** Errors by dotted name, or by `samples`, `seed`, `strategies`, `fields`. */
-export type ParsedDraft =
-  | { readonly ok: true; readonly sweep: Sweep }
-  | { readonly ok: false; readonly errors: DraftErrors };
 
 const DEFAULT_COUNT = 5;
 const MOST_VALUES = 10_000;
@@ -91,34 +85,10 @@ export function spread(field: NumberField, from: number, to: number, count: numb
   return field.integer ? [...new Set(values.map(Math.round))] : values;
 }
 
-class FieldError extends Error {}
-
-function typed(field: NumberField, text: string, what: string): number {
-  const parsed = parseTyped(field, text);
-  if (!parsed.ok) throw new FieldError(`${what}: ${lowerFirst(parsed.message)}`);
-  return parsed.value;
-}
-
-const lowerFirst = (text: string) => text.charAt(0).toLowerCase() + text.slice(1);
-
-function wholeNumber(text: string, least: number, most: number, what: string): number {
-  const value = parseInput(text);
-  if (value === null || !Number.isInteger(value) || value < least || value > most) {
-    throw new FieldError(`${what}: a whole number from ${least} to ${most}`);
-  }
-  return value;
-}
-
-function rangeOf(field: NumberField, draft: FieldDraft): readonly [number, number] {
-  const ends = [typed(field, draft.from, "From"), typed(field, draft.to, "To")] as const;
-  if (ends[0] >= ends[1]) throw new FieldError(NO_RANGE);
-  return ends;
-}
-
-function gridValues(draft: FieldDraft): readonly (number | string | boolean)[] {
+function gridValues(draft: FieldDraft, put: (message: string) => void): readonly (number | string | boolean)[] {
   const { leaf } = draft.field;
   if (leaf.kind === "choice") {
-    if (draft.options.length === 0) throw new FieldError("Choose at least one");
+    if (draft.options.length === 0) put("Choose at least one");
     return leaf.options.filter((option) => draft.options.includes(option)).map((option) => optionValue(leaf, option));
   }
   if (draft.by === "list") {
@@ -126,62 +96,49 @@ function gridValues(draft: FieldDraft): readonly (number | string | boolean)[] {
       .split(/[;,\n]|\s+(?=[+\-−.\d])/)
       .map((text) => text.trim())
       .filter((text) => text !== "");
-    if (texts.length === 0) throw new FieldError("Needs at least one value");
-    return texts.map((text) => typed(leaf, text, text));
+    if (texts.length === 0) put("Needs at least one value");
+    return texts.map((text) => readNumber(leaf, text, put, text));
   }
-  const count = wholeNumber(draft.count, 1, MOST_VALUES, "Values");
-  if (count === 1) return [typed(leaf, draft.from, "From")];
-  return spread(leaf, ...rangeOf(leaf, draft), count);
+  const count = readWhole(draft.count, [1, MOST_VALUES], put, "Values");
+  if (!(count > 1)) return [readNumber(leaf, draft.from, put, "From")];
+  return spread(leaf, ...readRange(leaf, draft, put), Math.min(count, MOST_VALUES));
 }
 
-/** What is sent, or what has to be changed first. */
-export function readDraft(draft: SweepDraft): ParsedDraft {
-  const errors: Record<string, string> = {};
-  const attempt = <T>(name: string, read: () => T): T | undefined => {
-    try {
-      return read();
-    } catch (error) {
-      if (!(error instanceof FieldError)) throw error;
-      errors[name] = error.message;
-      return undefined;
-    }
-  };
-  if (draft.fields.length === 0) errors.fields = "Add a field to sweep";
-  if (draft.strategies.length === 0) errors.strategies = "Choose at least one strategy";
-  const links = draft.fields
-    .filter(({ linked }) => linked.length > 0)
-    .map(({ field, linked }) => [field.name, linked.map(({ name }) => name)] as const);
-  const sweep = {
-    ...(draft.method === "grid" ? grid(draft, attempt) : hypercube(draft, attempt)),
-    ...(links.length > 0 ? { linked: Object.fromEntries(links) } : {}),
-  };
-  return Object.keys(errors).length > 0 ? { ok: false, errors } : { ok: true, sweep };
-}
+/** Errors by dotted name, or by `samples`, `seed`, `strategies`, `fields`. */
+export const readDraft = (draft: SweepDraft): Parsed<Sweep> =>
+  readForm((put) => {
+    const { method, fields, strategies } = draft;
+    if (fields.length === 0) put("fields", "Add a field to sweep");
+    if (strategies.length === 0) put("strategies", "Choose at least one strategy");
+    const links = fields
+      .filter(({ linked }) => linked.length > 0)
+      .map(({ field, linked }) => [field.name, linked.map(({ name }) => name)] as const);
+    return {
+      ...(method === "grid" ? grid(draft, put) : hypercube(draft, put)),
+      ...(links.length > 0 ? { linked: Object.fromEntries(links) } : {}),
+    };
+  });
 
-type Attempt = <T>(name: string, read: () => T) => T | undefined;
+const grid = ({ fields }: SweepDraft, put: Put): Sweep => ({
+  grid: Object.fromEntries(
+    fields.map((draft) => {
+      const { name } = draft.field;
+      return [name, gridValues(draft, (message) => put(name, message))];
+    }),
+  ),
+});
 
-function grid({ fields }: SweepDraft, attempt: Attempt): Sweep {
-  return {
-    grid: Object.fromEntries(
-      fields.map((draft) => [draft.field.name, attempt(draft.field.name, () => gridValues(draft)) ?? []]),
-    ),
-  };
-}
-
-function hypercube({ fields, samples, seed }: SweepDraft, attempt: Attempt): Sweep {
-  const ranges = fields.map(({ field, ...draft }) => {
-    const range = attempt(field.name, () => {
-      if (field.leaf.kind === "choice")
-        throw new FieldError("A Latin hypercube needs numbers: sweep this one in a grid");
-      return rangeOf(field.leaf, { field, ...draft });
-    });
-    return [field.name, [...(range ?? [])]] as const;
+function hypercube({ fields, samples, seed }: SweepDraft, put: Put): Sweep {
+  const ranges = fields.map(({ field: { name, leaf }, ...ends }): readonly [string, readonly number[]] => {
+    if (leaf.kind === "number") return [name, readRange(leaf, ends, (message) => put(name, message))];
+    put(name, "A Latin hypercube needs numbers: sweep this one in a grid");
+    return [name, []];
   });
   return {
     latin_hypercube: {
       ranges: Object.fromEntries(ranges),
-      samples: attempt("samples", () => wholeNumber(samples, 1, 1_000_000, "Samples")) ?? 1,
-      seed: attempt("seed", () => wholeNumber(seed, 0, 2 ** 32 - 1, "Seed")) ?? 0,
+      samples: readWhole(samples, [1, 1_000_000], (message) => put("samples", message), "Samples"),
+      seed: readWhole(seed, [0, 2 ** 32 - 1], (message) => put("seed", message), "Seed"),
     },
   };
 }

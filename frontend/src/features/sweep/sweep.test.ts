@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
 import { FORM } from "../../scenario/form.fixture";
-import { problemsByField } from "../jobForm/problems";
+import { problemsByField } from "../jobForm/jobForm";
 import { draftField, readDraft, spread, type FieldDraft, type SweepDraft } from "./draft";
 import { sweepFields } from "../../scenario/fields";
-import { sweepFieldName } from "./useSweep";
+import { sweepFieldName } from "./sweepForm";
 
 const FIELDS = sweepFields(FORM);
 const field = (name: string) => {
@@ -71,7 +71,7 @@ describe("what is sent", () => {
     ];
     expect(readDraft(draft({ fields }))).toEqual({
       ok: true,
-      sweep: { grid: { "road.bump.height": [0, 0.05, 0.1], "road.seed": [1, 2, 5], "road.bump.shape": ["flat_top"] } },
+      body: { grid: { "road.bump.height": [0, 0.05, 0.1], "road.seed": [1, 2, 5], "road.bump.shape": ["flat_top"] } },
     });
   });
 
@@ -79,7 +79,7 @@ describe("what is sent", () => {
     const list = (text: string) =>
       readDraft(draft({ fields: [drafted("road.bump.height", { by: "list", list: text })] }));
     for (const text of ["5 10", "5,10", "5, 10", "5;10", "5\n10,", "5 cm, 100mm", "5 cm 0.1 m"]) {
-      expect(list(text), text).toEqual({ ok: true, sweep: { grid: { "road.bump.height": [0.05, 0.1] } } });
+      expect(list(text), text).toEqual({ ok: true, body: { grid: { "road.bump.height": [0.05, 0.1] } } });
     }
   });
 
@@ -87,7 +87,7 @@ describe("what is sent", () => {
     const fields = [drafted("road.bump.height"), drafted("mpc.weights.0")];
     expect(readDraft(draft({ method: "hypercube", fields, samples: "500", seed: "7" }))).toEqual({
       ok: true,
-      sweep: {
+      body: {
         latin_hypercube: {
           ranges: { "road.bump.height": [-0.15, 0.2], "mpc.weights.0": [0, 10] },
           samples: 500,

@@ -1,12 +1,15 @@
 /** A batch's rows as columns: which are shown, in which order, and which is best. */
 
 import { queryOptions } from "@tanstack/react-query";
-import type { BatchTable, StrategyId, Batch } from "../../api/types";
+import type { BatchTable, StrategyId, Batch, JsonValue } from "../../api/types";
 import { inOrder } from "../../lib/order";
 import { humanise } from "../../scenario/schema";
 import { formatExact, formatResult } from "../../units/format";
 import { ask } from "../../api/http";
-import { isFinal } from "../../jobs/follow";
+import { isFinal } from "../../jobs/useJob";
+import { api } from "../../api/client";
+import { useRunInLab, type RunInLab } from "../../ui/openInLab";
+import { withFields } from "../../scenario/fields";
 
 export type Cell = BatchTable["columns"][string][number] | undefined;
 export type Columns = BatchTable["columns"];
@@ -149,3 +152,14 @@ export const batchRequirementsQuery = (batch: Batch) =>
     staleTime: Infinity,
     refetchInterval: !isFinal(batch) && refreshEvery(batch),
   });
+
+interface RunAtValues {
+  readonly run: number;
+  /** The swept fields' values. */
+  readonly at: Readonly<Record<string, JsonValue>>;
+}
+
+export type Opening = RunInLab<RunAtValues>;
+
+export const useOpenRun = ({ scenario, strategies }: Batch): Opening =>
+  useRunInLab(({ at }) => api.createRun(withFields(scenario, at), strategies));

@@ -1,11 +1,10 @@
 /** A change in percent: sign and arrow say better or worse, colour only repeats it. */
 
-import { changeAgainst, formatPercent, type Change } from "./change";
+import { formatPercent, type Change, type Caveat } from "./change";
 import classes from "./tables.module.css";
 import type { Interval } from "../../api/types";
 import { formatHalf, formatResult, isNothing, NO_VALUE } from "../../units/format";
 import { Icon } from "../../ui/icons";
-import type { Caveat } from "./caveats";
 import ui from "../../ui/ui.module.css";
 import { UnstyledButton } from "@mantine/core";
 
@@ -18,14 +17,19 @@ const WORDS = {
   unclear: "no certain difference",
 } as const;
 
-interface Props {
-  readonly value: number | null | undefined;
-  readonly baseline: number | null | undefined;
+interface ValueProps {
+  readonly text: string;
+  /** `null` for what changes are against. */
+  readonly change: Change | null;
 }
 
-export function ChangeMark({ value, baseline }: Props) {
-  return <ChangeText change={changeAgainst(value, baseline)} />;
-}
+/** A number, and under it its change. */
+export const ValueAndChange = ({ text, change }: ValueProps) => (
+  <>
+    <span className={classes.value}>{text}</span>
+    <ChangeText change={change} />
+  </>
+);
 
 /** The change; an empty line for what changes are against. */
 export function ChangeText({ change }: { readonly change: Change | null }) {

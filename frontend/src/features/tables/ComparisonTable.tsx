@@ -11,7 +11,7 @@ import { DataTable, type Column } from "../../ui/DataTable";
 import { ManualLink } from "../../ui/ManualLink";
 import { ChangeText, Estimated, CaveatMark } from "./ChangeMark";
 import { useLabContext } from "../../lab/context";
-import { caveatsOf } from "./caveats";
+import { caveatsOf } from "./change";
 import { StrategyKey, StrategyName } from "../../ui/StrategyKey";
 import { requiredOf } from "../requirements/judged";
 import { UnstyledButton } from "@mantine/core";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { caveatsOf } from "./caveats";
+import { caveatsOf } from "./change";
 
 const quantity = (key: string, unit: string, notable = 0) => ({
   key,

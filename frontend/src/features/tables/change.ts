@@ -1,7 +1,7 @@
-/** Change against a baseline, and what it means. */
+/** Change against a baseline and what it means, and what makes a result one that no real car would have had. */
 
-import type { Interval } from "../../api/types";
-import { formatResult } from "../../units/format";
+import type { Interval, Catalogue, Quantity, Summary } from "../../api/types";
+import { formatResult, formatInput, prettyUnit } from "../../units/format";
 
 /** `luck`: smaller than what one road tells from luck. `unclear`: its interval, which is shown, holds zero. */
 export type Verdict = "better" | "worse" | "same" | "luck" | "unclear" | "none";
@@ -63,4 +63,44 @@ export function formatPercent(percent: number, half = 0): string {
   const beyond = size < 9999.5 ? "" : percent < 0 ? "< " : "> ";
   const uncertainty = half.toFixed(decimals);
   return `${beyond}${sign}${digits}${Number(uncertainty) === 0 ? "" : `\u2009±\u2009${uncertainty}`}\u2009%`;
+}
+
+type Events = Summary["events"];
+
+export interface Caveat {
+  readonly event: string;
+  /** A few words: `airborne 94 ms`. */
+  readonly text: string;
+  /** The catalogue's words for it. */
+  readonly description: string;
+}
+
+type Wording = (value: number | boolean, quantity: Pick<Quantity, "unit" | "notable">) => string | null;
+
+const amount = (value: number, unit: string) =>
+  `${formatInput(value < 10 ? Number(value.toPrecision(2)) : Math.round(value))}\u00a0${prettyUnit(unit)}`;
+
+/** In words from the size on that the catalogue says; `null` below it. */
+const notable =
+  (say: (shown: string) => string): Wording =>
+  (value, quantity) =>
+    typeof value === "number" && value >= quantity.notable ? say(amount(value, quantity.unit)) : null;
+
+const WORDINGS: Readonly<Record<string, Wording>> = {
+  airborne_ms: notable((shown) => `airborne ${shown}`),
+  stop_contact_ms: notable((shown) => `on a bump stop ${shown}`),
+  travel_exceeded_mm: notable((shown) => `${shown} over the travel limit`),
+  target_reached: (value) => (value === false ? "target speed not reached" : null),
+};
+
+/** The events that are caveats of a result. */
+export const CAVEAT_EVENTS = Object.keys(WORDINGS);
+
+export function caveatsOf(events: Events | undefined, catalogue: Pick<Catalogue, "events">): readonly Caveat[] {
+  return Object.entries(WORDINGS).flatMap(([event, wording]) => {
+    const value = events?.[event];
+    const quantity = catalogue.events.find(({ key }) => key === event);
+    const text = value === null || value === undefined || quantity === undefined ? null : wording(value, quantity);
+    return text === null ? [] : [{ event, text, description: `${quantity?.label}: ${quantity?.description}` }];
+  });
 }

@@ -12,9 +12,8 @@ import { setAt } from "../../scenario/path";
 import { changesQuery } from "../../server/queries";
 import { useLabels, type Labels } from "../../server/useCatalogues";
 import { CaveatMark } from "../tables/ChangeMark";
-import { caveatsOf } from "../tables/caveats";
+import { caveatsOf, formatPercent, type Change, type Verdict } from "../tables/change";
 import { formatFixed } from "../../units/format";
-import { formatPercent, type Change, type Verdict } from "../tables/change";
 import { changeBetween, comparedMetrics, isRandom, oneRoadNoiseOf } from "../tables/entries";
 import { valueAt, type WindowMetric } from "../../lab/metricPath";
 

@@ -1,31 +1,31 @@
 /** The ECU: the controller as a C program apart from the car, what it loses by that, and whether it fits a real part. */
 
-import { Alert, Skeleton, Text } from "@mantine/core";
+import { Skeleton, Text } from "@mantine/core";
 import { useMemo, useState, useEffect, useRef } from "react";
 import { ApiProblem, isTransient } from "../../api/problem";
-import type { Summary, JsonValue, Scenario, Run } from "../../api/types";
+import type { JsonValue, Scenario } from "../../api/types";
 import { usePageScenario, type PageScenario } from "../../features/scenarioSource/scenarioSource";
 import { ScenarioChoice } from "../../features/scenarioSource/ScenarioChoice";
+import { errorsByField } from "../../scenario/fields";
 import { Page, Loading } from "../../ui/Page";
 import { useForm, useSchemeColours, useStrategies } from "../../server/useCatalogues";
 import { BuildReport } from "./BuildReport";
-import { EcuFigures } from "./EcuFigures";
-import { EcuTable } from "./EcuTable";
+import { EcuFigures, EcuTable } from "./EcuResults";
 import { RealTime } from "./RealTime";
 import ui from "../../ui/ui.module.css";
 import { Problems } from "../../ui/Messages";
 import { Card, Columns } from "../../ui/Card";
 import { ControllerFile } from "../../features/export/FileMenu";
+import { ShareAddress } from "../../features/share/ShareLink";
 import { ChoiceFieldRow, type LeafState } from "../../features/editor/FieldFrame";
 import { NumberFieldRow } from "../../features/editor/NumberFieldRow";
 import { getAt, sameValue, setAt, type Pointer } from "../../scenario/path";
-import { fieldsOf, findMember, type ChoiceField, type Group, type NumberField } from "../../scenario/schema";
+import { fieldsOf, findMember, type ChoiceField, type NumberField } from "../../scenario/schema";
 import type { InvalidInput } from "../../lab/labState";
 import { keepPreviousData, queryOptions, useMutation, useQuery, useQueryClient } from "@tanstack/react-query";
 import { api } from "../../api/client";
+import { split } from "../../lab/result";
 import { runKey } from "../../server/queries";
-import { errorsByField } from "../../scenario/fields";
-import { ShareAddress } from "../../features/share/ShareLink";
 
 const NO_ERRORS = { fields: {}, general: [] };
 
@@ -42,8 +42,7 @@ export function EcuPage() {
   }, [error, form]);
   const coloured = useSchemeColours(strategies);
   const shown = useMemo(() => STRATEGIES.flatMap((id) => coloured.find((each) => each.id === id) ?? []), [coloured]);
-  const { summaries, failures } = useMemo(() => split(run?.strategies ?? {}), [run]);
-  const colour = shown.find(({ id }) => id === "lv_hil")?.colour ?? "currentColor";
+  const { summaries, failed } = useMemo(() => split(run?.strategies ?? {}), [run]);
   const lead = (
     <>
       LV control’s MPC, written out as C for this scenario (float32, a fixed number of iterations), drives the simulated
@@ -66,31 +65,37 @@ export function EcuPage() {
       }
     >
       <Card className={`${ui.part}`} aria-label="Scenario and loop">
-        <ScenarioChoice source={{ ...source, choose }} form={form} />
+        <ScenarioChoice source={{ ...source, choose }} />
         {scenario ? (
-          <EcuForm form={form} scenario={scenario} errors={refused.fields} onChange={change} />
+          <EcuForm scenario={scenario} errors={refused.fields} onChange={change} />
         ) : (
           <Skeleton height={58} />
         )}
         <Problems messages={[...refused.general, ...elsewhere(refused.fields)]} />
       </Card>
-      {failures.map(({ id, reason }) => (
-        <Alert key={id} color="red" variant="light" p="xs" role="alert">
-          {shown.find((each) => each.id === id)?.label ?? id} could not be driven: {reason}
-        </Alert>
-      ))}
+      <Problems
+        messages={failed.map(({ strategy, message }) => {
+          const label = shown.find(({ id }) => id === strategy)?.label ?? strategy;
+          return `${label} could not be driven: ${message}`;
+        })}
+      />
       {run ? (
         <>
           <EcuTable {...{ summaries, stale }} strategies={shown} />
           <EcuFigures {...{ run, stale }} strategies={shown} />
         </>
       ) : (
-        refused === NO_ERRORS && <EcuLoading />
+        refused === NO_ERRORS && (
+          <>
+            <Text c="dimmed">The program is driven over the road.</Text>
+            <Loading label="Driving" heights={[420]} />
+          </>
+        )
       )}
       {source.scenario && (
         <>
           <BuildReport scenario={source.scenario} />
-          <RealTime scenario={source.scenario} seconds={summaries.lv_hil?.travel_time ?? undefined} colour={colour} />
+          <RealTime scenario={source.scenario} seconds={summaries.lv_hil?.travel_time ?? undefined} />
         </>
       )}
     </Page>
@@ -103,35 +108,15 @@ const elsewhere = (fields: Readonly<Record<string, string>>) =>
     pointer.startsWith("/hil/") ? [] : [`The scenario’s ${pointer.slice(1).replace(/\//g, ".")}: ${message}`],
   );
 
-function split(all: NonNullable<ReturnType<typeof useEcuRun>["run"]>["strategies"]) {
-  const summaries: Record<string, Summary> = {};
-  const failures: { readonly id: string; readonly reason: string }[] = [];
-  for (const [id, answer] of Object.entries(all)) {
-    if (answer.status === "ok") summaries[id] = answer;
-    else failures.push({ id, reason: answer.reason });
-  }
-  return { summaries, failures };
-}
-
-function EcuLoading() {
-  return (
-    <>
-      <Text c="dimmed">The program is driven over the road.</Text>
-      <Loading label="Driving" heights={[420]} />
-    </>
-  );
-}
-
 interface Props {
-  readonly form: Group;
   readonly scenario: Scenario;
   /** The server's, by field. */
   readonly errors: Readonly<Record<Pointer, string>>;
   readonly onChange: (scenario: Scenario) => void;
 }
 
-function EcuForm({ form, ...props }: Props) {
-  const group = findMember(form, "/hil");
+function EcuForm(props: Props) {
+  const group = findMember(useForm(), "/hil");
   if (!group) return null;
   return (
     <Columns least="22rem" gap="0.3rem 2rem" role="group" aria-label="Between the ECU and the car">
@@ -145,12 +130,11 @@ function EcuForm({ form, ...props }: Props) {
   );
 }
 
-function Setting({
-  field,
-  scenario,
-  errors,
-  onChange,
-}: Omit<Props, "form"> & { readonly field: NumberField | ChoiceField }) {
+interface SettingProps extends Props {
+  readonly field: NumberField | ChoiceField;
+}
+
+function Setting({ field, scenario, errors, onChange }: SettingProps) {
   const [rejected, setRejected] = useState<InvalidInput | undefined>();
   const value = getAt(scenario, field.pointer);
   const commit = (next: JsonValue) => {
@@ -186,20 +170,7 @@ const ecuRunQuery = (scenario: Scenario | undefined) =>
     staleTime: Infinity,
   });
 
-interface EcuRun {
-  readonly scenario: Scenario | undefined;
-  readonly run: Run | undefined;
-  /** What is shown is older than what was asked for. */
-  readonly stale: boolean;
-  readonly busy: boolean;
-  readonly error: Error | null;
-  /** Runs the changed scenario; the page's address follows. */
-  readonly change: (scenario: Scenario) => void;
-  /** Another scenario altogether. */
-  readonly choose: PageScenario["choose"];
-}
-
-function useEcuRun({ scenario: stored, choose }: PageScenario): EcuRun {
+function useEcuRun({ scenario: stored, choose }: PageScenario) {
   const queries = useQueryClient();
   const newest = useRef<AbortController>(null);
   const drop = () => newest.current?.abort();
@@ -223,11 +194,12 @@ function useEcuRun({ scenario: stored, choose }: PageScenario): EcuRun {
   return {
     scenario: edited ?? stored,
     run: shown.data,
+    /** What is shown is older than what was asked for. */
     stale: shown.isPlaceholderData || changed.isPending,
-    busy: shown.isFetching || changed.isPending,
     error: changed.error ?? shown.error,
-    change: (scenario) => changed.mutate(scenario),
-    choose: (origin) => {
+    /** Runs the changed scenario; the page's address follows. */
+    change: (scenario: Scenario) => changed.mutate(scenario),
+    choose: (origin: PageScenario["origin"]) => {
       drop();
       changed.reset();
       choose(origin);

@@ -1,21 +1,20 @@
 /** The drive by the clock: how long answers take, how evenly, and how many come too late. */
 
-import { Box, Button, Group, Progress, SegmentedControl, Stack, Text, useComputedColorScheme } from "@mantine/core";
+import { Box, Button, Group, Progress, SegmentedControl, Stack, Text } from "@mantine/core";
 import { useMutation, useQuery } from "@tanstack/react-query";
-import { useEffect, useMemo, useRef, useState } from "react";
+import { useEffect, useMemo, useState } from "react";
 import { ask } from "../../api/http";
 import { isTransient } from "../../api/problem";
-import type { RealtimeReport, Scenario } from "../../api/types";
-import { Chart } from "../../plots/Chart";
-import { ChartButton } from "../../plots/FigureButton";
-import { ON_PAPER, PALETTES } from "../../plots/palettes";
+import type { RealtimeReport, Scenario, Times } from "../../api/types";
+import { Chart, type ChartFigure } from "../../plots/Chart";
+import { useChart, type Look } from "../../plots/useChart";
+import { chartLayout, referenceLine } from "../../plots/palettes";
 import { compilersQuery } from "../../server/queries";
-import { useCatalogue, useStrategies } from "../../server/useCatalogues";
+import { useCatalogue } from "../../server/useCatalogues";
 import { formatPercent } from "../../features/tables/change";
 import { VIEWS } from "../../features/tables/entries";
 import { count, formatNumber, formatWhole } from "../../units/format";
-import { formatTime } from "./effort";
-import { histogramFigure, histogramTable } from "./histogram";
+import { formatTime } from "./BuildReport";
 import { DataTable } from "../../ui/DataTable";
 import { Fault, Note } from "../../ui/Messages";
 import { Card } from "../../ui/Card";
@@ -25,10 +24,9 @@ interface Props {
   readonly scenario: Scenario;
   /** The drive takes so long [s], where it is known. */
   readonly seconds: number | undefined;
-  readonly colour: string;
 }
 
-export function RealTime({ scenario, seconds, colour }: Props) {
+export function RealTime({ scenario, seconds }: Props) {
   const drive = useMutation({
     mutationFn: (wanted: Scenario) => ask("post", "/controller/realtime", { body: { scenario: wanted } }),
   });
@@ -68,7 +66,7 @@ export function RealTime({ scenario, seconds, colour }: Props) {
           </Text>
         )}
       </Stack>
-      {report && <Report {...{ report, colour }} />}
+      {report && <Report report={report} />}
     </Card>
   );
 }
@@ -127,24 +125,25 @@ const MEANING: Readonly<Record<PlotKind, string>> = {
   computing: "What the program itself took, by its own clock.",
 };
 
-interface ReportProps {
-  readonly report: RealtimeReport;
-  readonly colour: string;
-}
-
-function Report({ report, colour }: ReportProps) {
+function Report({ report }: { readonly report: RealtimeReport }) {
   const catalogue = useCatalogue();
-  const strategies = useStrategies();
-  const lightColour = strategies.find(({ id }) => id === "lv_hil")?.colour ?? colour;
-  const palette = PALETTES[useComputedColorScheme("light")];
   const [kind, setKind] = useState<PlotKind>("latency");
   const label = KINDS.find(({ value }) => value === kind)?.label ?? "";
-  const spread = report[kind];
-  const host = useRef<HTMLDivElement>(null);
-  const figure = useMemo(
-    () => (spread ? histogramFigure(spread, report.deadline, { palette, colour }) : null),
-    [spread, report.deadline, palette, colour],
-  );
+  const { [kind]: spread, deadline } = report;
+  const { chart, button } = useChart({
+    title: `Histogram of ${label.toLowerCase()}`,
+    file: `ridelab-real-time-${kind}`,
+    draw: useMemo(
+      () =>
+        spread &&
+        ((look: Look) => ({
+          figure: histogramFigure(spread, deadline, look, label),
+          legend: [],
+          table: histogramTable(spread),
+        })),
+      [spread, deadline, label],
+    ),
+  });
   return (
     <>
       <DataTable
@@ -177,27 +176,11 @@ function Report({ report, colour }: ReportProps) {
       <Box px="0.9rem" pt="xs">
         <Group gap="xs">
           <SegmentedControl aria-label="Histogram of" value={kind} data={[...KINDS]} onChange={setKind} />
-          {spread && (
-            <ChartButton
-              title={`Histogram of ${label.toLowerCase()}`}
-              file={`ridelab-real-time-${kind}`}
-              hostRef={host}
-              draw={() => ({
-                figure: histogramFigure(spread, report.deadline, {
-                  palette: ON_PAPER,
-                  colour: lightColour,
-                  title: label,
-                }),
-                legend: [],
-                table: histogramTable(spread),
-              })}
-            />
-          )}
+          {button}
         </Group>
-        {figure ? (
+        {spread ? (
           <Chart
-            hostRef={host}
-            figure={figure}
+            {...chart}
             height={230}
             label={`Histogram of ${kind.replace("_", "-")} over ${report.steps} steps; its figures stand in the table above`}
           />
@@ -221,3 +204,55 @@ function Report({ report, colour }: ReportProps) {
     </>
   );
 }
+
+const TICKS = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
+
+export function histogramFigure(
+  { edges, counts }: Times,
+  deadline: number,
+  { palette, strategies, onPaper }: Look,
+  title: string,
+): ChartFigure {
+  const color = strategies.find(({ id }) => id === "lv_hil")?.colour;
+  const logs = edges.map(Math.log10);
+  const bin = (index: number) => [logs[index] ?? 0, logs[index + 1] ?? 0] as const;
+  const [low, high] = [logs[0] ?? -6, logs.at(-1) ?? -1];
+  const at = Math.log10(deadline);
+  return {
+    data: [
+      {
+        type: "bar",
+        name: "Steps",
+        // Drawn over the logarithm, as plotly's bars have no width of their own on a logarithmic axis.
+        x: counts.map((_, index) => (bin(index)[0] + bin(index)[1]) / 2),
+        y: counts,
+        width: counts.map((_, index) => 0.94 * (bin(index)[1] - bin(index)[0])),
+        marker: { color },
+        text: counts.map(
+          (number, index) =>
+            `${formatTime(edges[index] ?? 0)} to ${formatTime(edges[index + 1] ?? 0)}: ${formatWhole(number)}`,
+        ),
+        textposition: "none",
+        hovertemplate: "%{text}<extra></extra>",
+      },
+    ],
+    layout: chartLayout(palette, {
+      margin: { l: 52, r: 12, t: 18, b: 36 },
+      dragmode: false,
+      xaxis: {
+        ...(onPaper && { title: { text: title } }), // on the page the switch above says it
+        range: [low, high],
+        tickvals: TICKS.map(Math.log10),
+        ticktext: TICKS.map(formatTime),
+        fixedrange: true,
+      },
+      yaxis: { title: { text: "Steps" }, rangemode: "tozero", fixedrange: true },
+      ...referenceLine(palette, "x", at, "deadline", "center"),
+    }),
+  };
+}
+
+const histogramTable = ({ edges, counts }: Times) => [
+  ["from [s]", "to [s]", "steps"],
+  ...counts.map((number, index) => [edges[index], edges[index + 1], number]),
+];

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { formatEnds, formatTime, kilobytes, largestLoss } from "./effort";
-import { histogramFigure } from "./histogram";
+import { formatEnds, formatTime, kilobytes, largestLoss } from "./BuildReport";
+import { histogramFigure } from "./RealTime";
 
 describe("memory and times", () => {
   it.each([
@@ -32,7 +32,12 @@ it("a histogram has a bar a bin over the logarithm of time, and the deadline", (
     edges: [1e-6, 1e-4, 1e-2],
     counts: [3, 5],
   };
-  const { data, layout } = histogramFigure(spread, 1e-2, { palette: { text: "", grid: "", zero: "" }, colour: "red" });
+  const { data, layout } = histogramFigure(
+    spread,
+    1e-2,
+    { palette: { text: "", grid: "", zero: "" }, scheme: "light", strategies: [], onPaper: false },
+    "Latency",
+  );
   expect(data[0]?.x).toEqual([-5, -3]);
   expect(data[0]?.y).toEqual([3, 5]);
   expect(layout.shapes[0]).toMatchObject({ x0: -2, x1: -2 });

@@ -1,58 +1,52 @@
 /** What each part of LV control contributes: the comparisons the paper does not make. */
 
-import { Text, useComputedColorScheme } from "@mantine/core";
+import { Stack, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
-import type { Choices } from "./choices";
-import { FairTable } from "./FairTable";
+import { useChoices } from "./choices";
+import { FairTable, metricKey } from "./FairTable";
 import { typeset, spreadOf } from "./numbers";
 import classes from "./paper.module.css";
-import { attributionQuery } from "./queries";
-import { Fault, Waiting } from "./Waiting";
+import { attributionQuery, Answered } from "./Waiting";
+import { useLabels, type Labels } from "../../server/useCatalogues";
 import type { Attribution } from "../../api/types";
 import { formatPercent } from "../../features/tables/change";
 import { SureChange } from "../../features/tables/ChangeMark";
-import { metricKey } from "./fair";
 import ui from "../../ui/ui.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { formatFixed } from "../../units/format";
-import { useMemo, useRef } from "react";
+import { useCallback } from "react";
 import { Chart, type ChartFigure } from "../../plots/Chart";
-import { ChartButton } from "../../plots/FigureButton";
-import { chartLayout, ON_PAPER, PALETTES, referenceLine, type Palette } from "../../plots/palettes";
+import { useChart, type Look } from "../../plots/useChart";
+import { chartLayout, referenceLine, type Palette } from "../../plots/palettes";
 import { Card } from "../../ui/Card";
-import type { Labels } from "../../server/useCatalogues";
 
-interface Props {
-  readonly choices: Choices;
-  readonly words: Labels;
-  /** The cells come first. */
-  readonly enabled: boolean;
+/** `enabled`: the cells come first. */
+export function Contributions({ enabled }: { readonly enabled: boolean }) {
+  const [choices] = useChoices();
+  const words = useLabels();
+  return (
+    <Answered
+      query={useQuery({ ...attributionQuery(choices), enabled })}
+      waiting={
+        enabled
+          ? "Running every combination of controller, speed, preview and weights"
+          : "Waiting for the runs of the tables"
+      }
+      height={1900}
+    >
+      {(data) => <Parts {...{ data, words }} />}
+    </Answered>
+  );
 }
 
-const HEIGHT = 1900;
-
-export function Contributions({ choices, words, enabled }: Props) {
-  const { data, error, refetch } = useQuery({ ...attributionQuery(choices), enabled });
-  if (error && !data) return <Fault message={error.message} onRetry={() => void refetch()} />;
-  if (!data)
-    return (
-      <Waiting
-        key={String(enabled)}
-        what={
-          enabled
-            ? "Running every combination of controller, speed, preview and weights"
-            : "Waiting for the runs of the tables"
-        }
-        height={HEIGHT}
-      />
-    );
+function Parts({ data, words }: { readonly data: Attribution; readonly words: Labels }) {
   return (
     <>
-      <ul className={classes.sentences} data-testid="sentences">
+      <Stack component="ul" gap="0.35rem" maw="56rem" m={0} pl="1.1rem" fz="md" lh="1.5" data-testid="sentences">
         {data.sentences.map((sentence) => (
           <li key={sentence}>{typeset(sentence)}</li>
         ))}
-      </ul>
+      </Stack>
       <h3 className={classes.subtitle}>Shares of LV’s gain</h3>
       <Text className={ui.lead ?? ""} mb="0.6rem">
         From an MPC with equal weights, without preview, at constant speed to LV control; {data.seeds} roads, Ridelab’s
@@ -64,7 +58,7 @@ export function Contributions({ choices, words, enabled }: Props) {
       <Text className={ui.lead ?? ""} mb="0.6rem">
         Means over the same {data.seeds} roads. Slowing down helps comfort; the travel time says what it costs.
       </Text>
-      <FairTable rows={data.rows} words={words} />
+      <FairTable rows={data.rows} />
       <h3 className={classes.subtitle}>At equal speed</h3>
       <Text className={ui.lead ?? ""} mb="0.6rem">
         Change of the first against the second, with its 95 % interval: ▼ better, ▲ worse, ≈ where the interval holds
@@ -127,28 +121,26 @@ interface ShareBarsProps {
 }
 
 function ShareBars({ shares, words }: ShareBarsProps) {
-  const palette = PALETTES[useComputedColorScheme("light")];
-  const host = useRef<HTMLDivElement>(null);
-  const figure = useMemo(() => sharesFigure(shares, words, palette), [shares, words, palette]);
+  const { chart, button } = useChart({
+    title: "Shares of LV’s gain",
+    file: "ridelab-paper-shares",
+    draw: useCallback(
+      ({ palette }: Look) => ({
+        figure: sharesFigure(shares, words, palette),
+        table: [
+          ["Figure", ...PARTS.map(({ label }) => `${label} [%]`)],
+          ...shares.map((share) => [nameOf(share, words), ...PARTS.map(({ part }) => share[part])]),
+        ],
+      }),
+      [shares, words],
+    ),
+  });
   return (
     <>
       <Card aria-label="Bars of the shares" pt="xs" mb="0.6rem">
-        <ChartButton
-          title="Shares of LV’s gain"
-          file="ridelab-paper-shares"
-          hostRef={host}
-          draw={() => ({
-            figure: sharesFigure(shares, words, ON_PAPER),
-            legend: PARTS.map(({ label }) => label),
-            table: [
-              ["Figure", ...PARTS.map(({ label }) => `${label} [%]`)],
-              ...shares.map((share) => [nameOf(share, words), ...PARTS.map(({ part }) => share[part])]),
-            ],
-          })}
-        />
+        {button}
         <Chart
-          hostRef={host}
-          figure={figure}
+          {...chart}
           height={AROUND + ROW * shares.length}
           label="What lower speed, preview and weight switching add to LV’s gain. Every value stands in the table below."
         />

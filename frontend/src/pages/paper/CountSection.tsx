@@ -1,13 +1,15 @@
 /** How many of the paper's printed changes come out here, and what that hinges on. */
 
 import { Anchor, Box, Button, Group, Progress, Stack, Text } from "@mantine/core";
+import type { ComponentProps } from "react";
 import { Icon } from "../../ui/icons";
 import { api } from "../../api/client";
-import type { Paper, PaperCell, PaperInterpretation } from "../../api/types";
+import type { Paper, PaperCell, PaperInterpretation, VerdictCounts } from "../../api/types";
 import { useRunInLab } from "../../ui/openInLab";
 import { count, formatWhole } from "../../units/format";
 import classes from "./paper.module.css";
 import {
+  Of,
   VerdictBar,
   VerdictCountList,
   VerdictMark,
@@ -18,63 +20,51 @@ import {
   soFar,
   uncertain,
 } from "./Verdict";
-import { type Choices, withSet } from "./choices";
+import { useChoices, withSet } from "./choices";
 import { typeset } from "./numbers";
+import { useLabels, type Labels } from "../../server/useCatalogues";
 import { Fault } from "../../ui/Messages";
+import { Columns } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
-import type { Labels } from "../../server/useCatalogues";
 
 interface Props {
   readonly paper: Paper;
-  readonly words: Labels;
 }
 
-interface CountProps extends Props {
-  readonly choices: Choices;
-  readonly onChoose: (choices: Choices) => void;
-}
-
-export function CountSection({ paper, words, choices, onChoose }: CountProps) {
-  const { without_preview: without } = paper;
+export function CountSection({ paper }: Props) {
+  const { unavailable } = paper;
   return (
     <>
       <Runs paper={paper} />
-      <div className={classes.counts}>
-        <Stack className={ui.card ?? ""} gap="0.6rem" p="0.9rem 1.1rem" data-testid="count">
-          <Group component="p" gap="0.4rem" align="baseline" m={0} fz="lg">
-            <BigNumber>{paper.reached}</BigNumber> of {countedOf(paper, paper.counts)} cells reached{soFar(paper)}
-            {paper.unavailable && ", "}
-            {paper.unavailable && <span>{paper.unavailable.cells} not available here</span>}
-          </Group>
-          <VerdictBar counts={paper.counts} total={countedOf(paper, paper.counts)} large />
-          <VerdictCountList counts={paper.counts} />
-        </Stack>
-        <Stack className={ui.card ?? ""} gap="0.6rem" p="0.9rem 1.1rem" data-testid="count-without" data-aside>
-          <Group component="p" gap="0.4rem" align="baseline" m={0} fz="lg">
-            <Icon name="EyeOff" size={18} stroke={1.8} className={classes.countIcon} />
-            <span>
-              Without preview: <BigNumber>{without.reached}</BigNumber> of {countedOf(paper, without.counts)}
-              {soFar(paper)}
-            </span>
-          </Group>
-          <VerdictBar counts={without.counts} total={countedOf(paper, without.counts)} large />
-          <VerdictCountList counts={without.counts} />
-        </Stack>
-      </div>
-      {paper.unavailable && (
-        <Group gap="0.5rem" align="flex-start" wrap="nowrap" maw="52rem" mt="0.9rem" lh="1.5" data-testid="unavailable">
-          <Icon name="AlertTriangle" size={16} stroke={1.8} className={classes.countIcon} />
+      <Columns className={ui.whole ?? ""} least="22rem" gap="0.8rem">
+        <Counted paper={paper} counts={paper.counts} data-testid="count">
+          <BigNumber>{paper.reached}</BigNumber> of {countedOf(paper, paper.counts)} cells reached{soFar(paper)}
+          {unavailable && ", "}
+          {unavailable && <span>{unavailable.cells} not available here</span>}
+        </Counted>
+        <Counted paper={paper} counts={paper.without_preview.counts} data-testid="count-without" data-aside>
+          <Icon name="EyeOff" size={18} stroke={1.8} style={MUTED} />
           <span>
-            The {paper.unavailable.cells} cells of hardware in the loop are not available here and not counted.{" "}
-            {typeset(paper.unavailable.reason)}.
+            Without preview: <BigNumber>{paper.without_preview.reached}</BigNumber> of{" "}
+            {countedOf(paper, paper.without_preview.counts)}
+            {soFar(paper)}
+          </span>
+        </Counted>
+      </Columns>
+      {unavailable && (
+        <Group gap="0.5rem" align="flex-start" wrap="nowrap" maw="52rem" mt="0.9rem" lh="1.5" data-testid="unavailable">
+          <Icon name="AlertTriangle" size={16} stroke={1.8} style={MUTED} />
+          <span>
+            The {unavailable.cells} cells of hardware in the loop are not available here and not counted.{" "}
+            {typeset(unavailable.reason)}.
           </span>
         </Group>
       )}
       <Text className={classes.claim}>
         {paper.complete ? previewSentence(paper) : "This says what the claim hinges on when all runs are finished."}
       </Text>
-      <Interpretations {...{ paper, choices, onChoose }} />
+      <Interpretations paper={paper} />
       <Text maw="52rem" m="0.4rem 0 0.9rem" fz="sm" lh="1.5" c="dimmed">
         Two named sets of readings, on the same roads. A cell is reached by its direction and size; nearer than that,
         “within ±10 points” counts the simulated changes that lie so near to the printed one, “in our interval” those
@@ -89,10 +79,29 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
         <Anchor href="#rules">The rules</Anchor> were fixed before any number.
       </Text>
       <OpenScenario paper={paper} />
-      <Missed paper={paper} words={words} />
+      <Missed paper={paper} />
     </>
   );
 }
+
+interface CountedProps extends Props, ComponentProps<typeof Stack> {
+  readonly counts: VerdictCounts;
+}
+
+/** A count in large, as a bar and as a list. */
+function Counted({ paper, counts, children, ...rest }: CountedProps) {
+  return (
+    <Stack className={ui.card ?? ""} gap="0.6rem" p="0.9rem 1.1rem" {...rest}>
+      <Group component="p" gap="0.4rem" align="baseline" m={0} fz="lg">
+        {children}
+      </Group>
+      <VerdictBar counts={counts} total={countedOf(paper, counts)} large />
+      <VerdictCountList counts={counts} />
+    </Stack>
+  );
+}
+
+const MUTED = { flex: "none", alignSelf: "center", color: "var(--muted)" };
 
 const BigNumber = ({ children }: { readonly children: number }) => (
   <Box component="strong" fz="xl" fw={700} lh={1.1}>
@@ -101,7 +110,7 @@ const BigNumber = ({ children }: { readonly children: number }) => (
 );
 
 /** How many runs the cells are made of are finished; one line, before and after. */
-function Runs({ paper: { complete, progress } }: Pick<Props, "paper">) {
+function Runs({ paper: { complete, progress } }: Props) {
   return (
     <Group gap="0.8rem" mb="0.5rem" wrap="nowrap">
       <Text c="dimmed" data-testid="progress">
@@ -123,7 +132,7 @@ function Runs({ paper: { complete, progress } }: Pick<Props, "paper">) {
 }
 
 /** Runs the page's scenario as the lab would and goes there. */
-function OpenScenario({ paper }: Pick<Props, "paper">) {
+function OpenScenario({ paper }: Props) {
   const strategies = [
     ...new Set(paper.tables.flatMap(({ columns }) => columns.flatMap(({ strategy, against }) => [strategy, against]))),
   ];
@@ -142,49 +151,44 @@ function OpenScenario({ paper }: Pick<Props, "paper">) {
   );
 }
 
-function Missed({ paper, words }: Props) {
+function Missed({ paper }: Props) {
+  const words = useLabels();
   const missed = paper.cells.filter(isMissed);
   if (missed.length === 0 && paper.complete) return null;
   return (
-    <details className={`${ui.card} ${classes.details}`}>
+    <Box component="details" className={`${ui.card} ${ui.more}`} p="0.5rem 0.9rem">
       <summary>
         {paper.complete
           ? `${missed.length === 1 ? "The cell" : `The ${missed.length} cells`} not reached`
           : `${count(missed.length, "cell")} not reached so far`}
       </summary>
-      <ul className={`${ui.list} ${classes.missed}`}>
+      <Stack component="ul" className={ui.list ?? ""} gap="0.35rem" py="0.2rem" fz="sm">
         {[...missed]
           .sort((a, b) => a.verdict.localeCompare(b.verdict) || a.table - b.table)
           .map((cell) => (
-            <li key={cellId(cell)}>
-              <VerdictMark verdict={cell.verdict} certain={cell.certain} />
-              <Anchor href={`#${cellId(cell)}`}>{cellName(cell, words)}</Anchor>
-            </li>
+            <Group component="li" key={cellId(cell)} gap="0 0.6rem">
+              <Box component="span" w="7rem">
+                <VerdictMark verdict={cell.verdict} certain={cell.certain} />
+              </Box>
+              <Anchor href={`#${cellId(cell)}`} fz="sm">
+                {cellName(cell, words)}
+              </Anchor>
+            </Group>
           ))}
-      </ul>
-      <Box component="p" m={0} p="0 0.9rem 0.8rem" fz="sm" c="dimmed">
+      </Stack>
+      <Box component="p" m="0.4rem 0 0" c="dimmed">
         Why each does not come out is in <code>docs/explanation/paper.md</code>, beside this program’s source, under
         “What does not reproduce, and why”.
       </Box>
-    </details>
+    </Box>
   );
 }
 
 const cellName = ({ table, strategy, against, signal }: PaperCell, words: Labels) =>
   `Table ${table}, ${words.signal(signal).toLowerCase()}: ${words.strategy(strategy)} against ${words.strategy(against)}`;
 
-interface InterpretationsProps {
-  readonly paper: Paper;
-  readonly choices: Choices;
-  readonly onChoose: (choices: Choices) => void;
-}
-
-interface Share {
-  readonly reached: number;
-  readonly total: number;
-}
-
-function Interpretations({ paper, choices, onChoose }: InterpretationsProps) {
+function Interpretations({ paper }: Props) {
+  const [choices, choose] = useChoices();
   return (
     <DataTable
       label="Both interpretations"
@@ -196,7 +200,7 @@ function Interpretations({ paper, choices, onChoose }: InterpretationsProps) {
         "data-interpretation": id,
         "aria-current": id === paper.interpretation || undefined,
       })}
-      columns={columnsOf(paper, (id) => onChoose(withSet(choices, paper.readings, id)))}
+      columns={columnsOf(paper, (id) => choose(withSet(choices, paper.readings, id)))}
     />
   );
 }
@@ -214,7 +218,7 @@ function columnsOf(paper: Paper, onShow: (id: string) => void): readonly Column<
         </Box>
       ),
     },
-    { key: "reached", head: "Reached", cell: (item) => <Of reached={item.reached} total={item.total} /> },
+    { key: "reached", head: "Reached", cell: ({ reached, total }) => <Of {...{ reached, total }} /> },
     { key: "simulated", head: "Simulated changes", cell: ({ simulated }) => <Of {...simulated} /> },
     {
       key: "ecu",
@@ -247,13 +251,4 @@ function columnsOf(paper: Paper, onShow: (id: string) => void): readonly Column<
       ),
     },
   ];
-}
-
-function Of({ reached, total }: Share) {
-  if (total === 0) return "–";
-  return (
-    <>
-      <b>{reached}</b> of {total}
-    </>
-  );
 }

@@ -5,22 +5,17 @@ import { useState } from "react";
 import type { Combination } from "../../api/types";
 import { formatPercent } from "../../features/tables/change";
 import { count, formatFixed, formatResult } from "../../units/format";
-import { ANY, filtered, FILTERS, metricKey, NO_FILTER, partOf, rankOf, type Filter } from "./fair";
 import ui from "../../ui/ui.module.css";
+import { useLabels, type Labels } from "../../server/useCatalogues";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Choice } from "../../ui/Entry";
-import type { Labels } from "../../server/useCatalogues";
-
-interface Props {
-  readonly rows: readonly Combination[];
-  readonly words: Labels;
-}
 
 type Shown = "change" | "value";
 
 const COMFORT = "weighted_rms";
 
-export function FairTable({ rows, words }: Props) {
+export function FairTable({ rows }: { readonly rows: readonly Combination[] }) {
+  const words = useLabels();
   const [filter, setFilter] = useState<Filter>(NO_FILTER);
   const [shown, setShown] = useState<Shown>("change");
   const listed = filtered(rows, filter);
@@ -147,3 +142,78 @@ function Value({ text, interval }: ValueProps) {
     </>
   );
 }
+
+interface Filter {
+  readonly controller: string;
+  readonly speed: string;
+  readonly preview: string;
+  readonly weights: string;
+}
+
+type FilterName = keyof Filter;
+
+export const ANY = "any";
+
+export const NO_FILTER: Filter = { controller: ANY, speed: ANY, preview: ANY, weights: ANY };
+
+/** What there is to choose among, in words; `null` in a row means there is nothing to choose. */
+const FILTERS: readonly {
+  readonly name: FilterName;
+  readonly label: string;
+  readonly options: readonly (readonly [value: string, label: string])[];
+}[] = [
+  {
+    name: "controller",
+    label: "Controller",
+    options: [
+      ["mpc", "MPC"],
+      ["lqr", "LQR"],
+      ["passive", "Passive"],
+    ],
+  },
+  {
+    name: "speed",
+    label: "Speed",
+    options: [
+      ["constant", "Constant"],
+      ["planned", "Planned"],
+    ],
+  },
+  {
+    name: "preview",
+    label: "Preview",
+    options: [
+      ["none", "None"],
+      ["wheelbase", "Front axle’s"],
+      ["lookahead", "Road ahead"],
+    ],
+  },
+  {
+    name: "weights",
+    label: "Weights",
+    options: [
+      ["equal", "Equal"],
+      ["comfort", "Cruise’s"],
+      ["switched", "Switched"],
+    ],
+  },
+];
+
+/** A part of a combination in words. */
+export function partOf(row: Combination, name: FilterName): string {
+  const value = row[name];
+  return FILTERS.find((filter) => filter.name === name)?.options.find(([each]) => each === value)?.[1] ?? "–";
+}
+
+export const filtered = (rows: readonly Combination[], filter: Filter) =>
+  rows.filter((row) => FILTERS.every(({ name }) => filter[name] === ANY || row[name] === filter[name]));
+
+export const metricKey = ({
+  window,
+  signal,
+  statistic,
+}: Pick<Combination["metrics"][number], "window" | "signal" | "statistic">) => `${window}.${signal}.${statistic}`;
+
+/** Options stand in a meaningful order; what has none comes first. */
+export const rankOf = (row: Combination, name: FilterName) =>
+  FILTERS.find((filter) => filter.name === name)?.options.findIndex(([value]) => value === row[name]);

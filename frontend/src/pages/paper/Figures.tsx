@@ -1,17 +1,15 @@
 /** The paper's figures, made by us: each is drawn when it comes near the window. */
 
-import { Box, Group, SegmentedControl, Text, useComputedColorScheme } from "@mantine/core";
+import { Box, Group, SegmentedControl, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
-import { memo, useMemo, useRef, useState } from "react";
+import { memo, useCallback, useMemo, useState } from "react";
 import type { PaperFigure, JsonObject, JsonValue, MadeFigure } from "../../api/types";
 import { Chart, type ChartFigure } from "../../plots/Chart";
-import { ChartButton } from "../../plots/FigureButton";
-import { ON_PAPER, PALETTES, type Palette } from "../../plots/palettes";
+import { useChart, type Look } from "../../plots/useChart";
 import { StrategyKey } from "../../ui/StrategyKey";
-import type { Choices } from "./choices";
+import { useChoices } from "./choices";
 import { typeset } from "./numbers";
-import { attributionQuery, paperFiguresQuery } from "./queries";
-import { useVisible, Fault, Waiting } from "./Waiting";
+import { attributionQuery, paperFiguresQuery, Answered, useVisible } from "./Waiting";
 import ui from "../../ui/ui.module.css";
 import { Columns } from "../../ui/Card";
 
@@ -19,18 +17,27 @@ const HEIGHT = 250;
 /** Two of them side by side on A4 [px]. */
 const PRINTED_WIDTH = 490;
 
-export function Figures({ choices }: { readonly choices: Choices }) {
+export function Figures() {
+  const [choices] = useChoices();
   // One after the other: the server works on one of them at a time.
   const { isPending: busy } = useQuery({
     ...attributionQuery(choices),
     enabled: false,
     notifyOnChangeProps: ["isPending"],
   });
-  const { data, error, refetch } = useQuery({ ...paperFiguresQuery(choices), enabled: !busy });
-  const scheme = useComputedColorScheme("light");
+  return (
+    <Answered
+      query={useQuery({ ...paperFiguresQuery(choices), enabled: !busy })}
+      waiting="Drawing the paper’s figures from our own runs"
+      height={17 * 190}
+    >
+      {(figures) => <Panels figures={figures} />}
+    </Answered>
+  );
+}
+
+function Panels({ figures }: { readonly figures: readonly PaperFigure[] }) {
   const [range, setRange] = useState<"whole" | "bump">("whole");
-  if (error && !data) return <Fault message={error.message} onRetry={() => void refetch()} />;
-  if (!data) return <Waiting what="Drawing the paper’s figures from our own runs" height={17 * 190} />;
   return (
     <>
       <Text className={ui.lead ?? ""} mb="0.6rem">
@@ -49,8 +56,8 @@ export function Figures({ choices }: { readonly choices: Choices }) {
         onChange={setRange}
       />
       <Columns className={ui.pairs ?? ""}>
-        {data.map((figure) => (
-          <Panel key={figure.number} figure={figure} scheme={scheme} bumpOnly={range === "bump"} />
+        {figures.map((figure) => (
+          <Panel key={figure.number} figure={figure} bumpOnly={range === "bump"} />
         ))}
       </Columns>
     </>
@@ -59,18 +66,26 @@ export function Figures({ choices }: { readonly choices: Choices }) {
 
 interface PanelProps {
   readonly figure: PaperFigure;
-  readonly scheme: Scheme;
   readonly bumpOnly: boolean;
 }
 
-const Panel = memo(function Panel({ figure: { number, title, caption, figure }, scheme, bumpOnly }: PanelProps) {
+const Panel = memo(function Panel({ figure: { number, title, caption, figure }, bumpOnly }: PanelProps) {
   const { ref, visible, printed } = useVisible();
-  const shown = useMemo(
-    () => (visible ? drawn(figure, { palette: PALETTES[scheme], scheme, bumpOnly }) : null),
-    [visible, figure, scheme, bumpOnly],
-  );
   const legend = useMemo(() => legendOf(figure), [figure]);
-  const host = useRef<HTMLDivElement>(null);
+  const { chart, button } = useChart({
+    title: `Figure ${number}: ${title}`,
+    file: `ridelab-paper-figure-${number}`,
+    draw: useCallback(
+      (look: Look) => {
+        const shown = drawn(figure, { ...look, bumpOnly });
+        return {
+          figure: look.onPaper ? withNamedShapes(shown) : shown,
+          legend: legend.map(({ name }) => name),
+        };
+      },
+      [figure, bumpOnly, legend],
+    ),
+  });
   return (
     <figure
       ref={ref}
@@ -85,15 +100,7 @@ const Panel = memo(function Panel({ figure: { number, title, caption, figure }, 
             Figure {number}
           </Box>{" "}
           {title}
-          <ChartButton
-            title={`Figure ${number}: ${title}`}
-            file={`ridelab-paper-figure-${number}`}
-            hostRef={host}
-            draw={() => ({
-              figure: withNamedShapes(drawn(figure, { palette: ON_PAPER, scheme: "light", bumpOnly })),
-              legend: legend.map(({ name }) => name),
-            })}
-          />
+          {button}
         </Box>
         <Group component="ul" className={ui.list ?? ""} gap="0.1rem 0.9rem" mt="0.3rem" fz="xs" c="dimmed">
           {legend.map(({ name, colour, dash, fill }) => (
@@ -110,8 +117,8 @@ const Panel = memo(function Panel({ figure: { number, title, caption, figure }, 
       </Box>
       <div style={{ height: HEIGHT }}>
         <Chart
-          hostRef={host}
-          figure={shown}
+          {...chart}
+          figure={visible ? chart.figure : null}
           height={HEIGHT}
           width={printed ? PRINTED_WIDTH : undefined}
           label={`Figure ${number}: ${title}; ${legend.map(({ name }) => name).join(", ")}`}
@@ -124,10 +131,8 @@ const Panel = memo(function Panel({ figure: { number, title, caption, figure }, 
   );
 });
 
-type Scheme = "light" | "dark";
-
 /** As --surface in global.css: plotly takes no variables. */
-const SURFACES: Readonly<Record<Scheme, string>> = { light: "#ffffff", dark: "#1a1b1e" };
+const SURFACES: Readonly<Record<Look["scheme"], string>> = { light: "#ffffff", dark: "#1a1b1e" };
 /** The name of the stage's shape. */
 const BUMP = "Bump";
 const MARGIN = { l: 62, r: 14, t: 6, b: 44 } as const;
@@ -138,14 +143,12 @@ function isObject(value: JsonValue | undefined): value is JsonObject {
 
 const text = (value: JsonValue | undefined, otherwise: string) => (typeof value === "string" ? value : otherwise);
 
-interface Look {
-  readonly palette: Palette;
-  readonly scheme: Scheme;
+interface DrawnLook extends Pick<Look, "palette" | "scheme"> {
   /** Of a time history only what happens on the bump. */
   readonly bumpOnly: boolean;
 }
 
-export function drawn(figure: MadeFigure, { palette, scheme, bumpOnly }: Look): ChartFigure {
+export function drawn(figure: MadeFigure, { palette, scheme, bumpOnly }: DrawnLook): ChartFigure {
   const { data, layout } = figure;
   const axis = { color: palette.text, gridcolor: palette.grid, zerolinecolor: palette.zero, automargin: true };
   const bump = bumpOnly ? bumpRange(figure) : null;

@@ -1,7 +1,7 @@
 /** The paper, checked: what it prints beside what comes out here. */
 
-import { Anchor, Box, Button, Text } from "@mantine/core";
-import { useDocumentTitle } from "@mantine/hooks";
+import { Anchor, Box, Button } from "@mantine/core";
+import { useWindowEvent } from "@mantine/hooks";
 import { useQuery } from "@tanstack/react-query";
 import { useEffect, type ReactNode, useState } from "react";
 import { Icon } from "../../ui/icons";
@@ -9,106 +9,100 @@ import { download } from "../../lib/download";
 import { address } from "../../api/http";
 import { ApiProblem, isTransient } from "../../api/problem";
 import type { Paper } from "../../api/types";
-import { ShellSlot } from "../../ui/Page";
-import shell from "../../ui/shell.module.css";
-import { Errata, Rules } from "./Appendix";
-import { NONE_CHOSEN, useChoices, type Choices } from "./choices";
+import { Page } from "../../ui/Page";
+import { NONE_CHOSEN, useChoices } from "./choices";
 import { Contributions } from "./Contributions";
 import { CountSection } from "./CountSection";
 import { Figures } from "./Figures";
 import classes from "./paper.module.css";
-import { paperQuery } from "./queries";
-import { SwitchEffects } from "./SwitchEffects";
-import { Switches } from "./Switches";
+import { paperQuery, Fault, Waiting } from "./Waiting";
+import { Inline, SwitchEffects, Switches } from "./Switches";
 import { Tables } from "./Tables";
-import { Fault, Waiting } from "./Waiting";
 import { FileMenu } from "../../features/export/FileMenu";
-import ui from "../../ui/ui.module.css";
-import contents from "./contents.module.css";
-import { VerdictBar, countedOf, soFar } from "./Verdict";
 import { ShareAddress } from "../../features/share/ShareLink";
-import { useLabels, type Labels } from "../../server/useCatalogues";
+import ui from "../../ui/ui.module.css";
+import { VerdictBar, countedOf, soFar, VerdictMark, VERDICTS } from "./Verdict";
+import { DataTable } from "../../ui/DataTable";
 
 const DOI = "10.3390/wevj16040232";
 
 export function PaperPage() {
-  useDocumentTitle("The paper, checked · Ridelab");
   const [choices, choose] = useChoices();
   const { data: paper, error: refused, isPlaceholderData: waiting, refetch } = useQuery(paperQuery(choices));
-  const words = useLabels();
   useArrival(paper !== undefined);
   // While it is asked for again and again, one refusal that passes is none.
   const fault = paper?.complete === false && refused !== null && isTransient(refused) ? null : refused;
-
+  const unknown = fault instanceof ApiProblem && fault.status === 422;
   return (
-    <>
-      <ShellSlot name="tools">
-        <span className={shell.grow} />
-        <ShareAddress what="page" ready />
-        <FileMenu
-          contents="Every cell, table and picture"
-          files={[
-            {
-              label: "Report (HTML)",
-              icon: <Icon name="FileDescription" size={16} />,
-              save: () => download(address("/paper/report.html", { query: choices }), "ridelab-paper.html"),
-            },
-          ]}
-        />
-      </ShellSlot>
+    <Page
+      title="The paper, checked"
+      busy={waiting || paper?.complete === false}
+      lead={
+        <>
+          Meng, Kong, Ding, Liu and Wang,{" "}
+          <Anchor href={`https://doi.org/${DOI}`}>World Electric Vehicle Journal 16 (2025) 232</Anchor>: every change it
+          prints, run here again.
+        </>
+      }
+      tools={
+        <>
+          <ShareAddress what="page" ready />
+          <FileMenu
+            contents="Every cell, table and picture"
+            files={[
+              {
+                label: "Report (HTML)",
+                icon: <Icon name="FileDescription" size={16} />,
+                save: () => download(address("/paper/report.html", { query: choices }), "ridelab-paper.html"),
+              },
+            ]}
+          />
+        </>
+      }
+    >
       <div className={classes.page}>
         <Contents paper={paper} />
-        <Box component="main" miw={0} aria-busy={waiting || paper?.complete === false}>
-          <Box component="header" pt="1.1rem">
-            <Box component="h1" m="0 0 0.2rem" fz="xl" fw={700} lts="-0.01em">
-              The paper, checked
-            </Box>
-            <Text className={ui.lead ?? ""} mb="0.6rem">
-              Meng, Kong, Ding, Liu and Wang,{" "}
-              <Anchor href={`https://doi.org/${DOI}`}>World Electric Vehicle Journal 16 (2025) 232</Anchor>: every
-              change it prints, run here again.
-            </Text>
-          </Box>
+        <Box miw={0}>
           {fault && (
-            <PageFault
-              fault={fault}
-              choices={choices}
-              onReset={() => choose(NONE_CHOSEN)}
+            <Fault
+              message={
+                unknown
+                  ? "This address names an interpretation, a reading or a choice that this server does not know."
+                  : fault.message
+              }
               onRetry={() => void refetch()}
             />
           )}
-          {paper ? (
-            <Sections {...{ paper, words, choices, waiting, choose }} />
-          ) : (
-            !fault && <Waiting what="Looking up the runs" height={600} />
+          {fault && Object.keys(choices).length > 0 && (
+            <Button mt="0.6rem" onClick={() => choose(NONE_CHOSEN)}>
+              Show Ridelab’s own interpretation
+            </Button>
           )}
+          {paper ? <Sections {...{ paper, waiting }} /> : !fault && <Waiting what="Looking up the runs" height={600} />}
         </Box>
       </div>
-    </>
+    </Page>
   );
 }
 
 interface SectionsProps {
   readonly paper: Paper;
-  readonly words: Labels;
-  readonly choices: Choices;
   readonly waiting: boolean;
-  readonly choose: (choices: Choices) => void;
 }
 
-function Sections({ paper, words, choices, waiting, choose }: SectionsProps) {
+function Sections({ paper, waiting }: SectionsProps) {
   const parts: Readonly<Record<SectionId, ReactNode>> = {
-    count: <CountSection {...{ paper, words, choices }} onChoose={choose} />,
+    count: <CountSection paper={paper} />,
     switches: (
       <>
-        <Switches {...{ paper, choices, waiting }} onChoose={choose} />
+        <Switches {...{ paper, waiting }} />
         <h3 className={classes.subtitle}>What each switch does</h3>
-        <SwitchEffects {...{ paper, choices }} onChoose={choose} />
+        <SwitchEffects paper={paper} />
       </>
     ),
-    tables: <Tables paper={paper} words={words} />,
-    parts: <Contributions {...{ choices, words }} enabled={paper.complete} />,
-    figures: <Figures choices={choices} />,
+    tables: <Tables paper={paper} />,
+    parts: <Contributions enabled={paper.complete} />,
+    figures: <Figures />,
     errata: <Errata errata={paper.errata} />,
     rules: <Rules rules={paper.rules} />,
   };
@@ -117,9 +111,8 @@ function Sections({ paper, words, choices, waiting, choose }: SectionsProps) {
     <section
       key={id}
       id={id}
-      className={classes.section}
+      className={`${classes.section} ${ui.follows}`}
       aria-labelledby={`${id}-title`}
-      data-section
       data-stale={(waiting && follows.includes(id)) || undefined}
     >
       <h2 id={`${id}-title`} className={classes.heading}>
@@ -128,34 +121,6 @@ function Sections({ paper, words, choices, waiting, choose }: SectionsProps) {
       {parts[id]}
     </section>
   ));
-}
-
-interface PageFaultProps {
-  readonly fault: Error;
-  readonly choices: Choices;
-  readonly onReset: () => void;
-  readonly onRetry: () => void;
-}
-
-function PageFault({ fault, choices, onReset, onRetry }: PageFaultProps) {
-  const unknown = fault instanceof ApiProblem && fault.status === 422;
-  return (
-    <>
-      <Fault
-        message={
-          unknown
-            ? "This address names an interpretation, a reading or a choice that this server does not know."
-            : fault.message
-        }
-        onRetry={onRetry}
-      />
-      {Object.keys(choices).length > 0 && (
-        <Button mt="0.6rem" onClick={onReset}>
-          Show Ridelab’s own interpretation
-        </Button>
-      )}
-    </>
-  );
 }
 
 /** The place the address names is there only once the answer is. */
@@ -178,23 +143,21 @@ const SECTIONS = [
 
 type SectionId = (typeof SECTIONS)[number]["id"];
 
-const IDS = SECTIONS.map(({ id }) => id);
-
 function Contents({ paper }: { readonly paper: Paper | undefined }) {
-  const active = useSection(IDS);
+  const active = useSection();
   return (
-    <nav className={contents.contents} data-unprinted aria-label="On this page">
-      <ol className={`${ui.list} ${contents.list}`}>
+    <nav className={classes.contents} data-unprinted aria-label="On this page">
+      <ol className={`${ui.list} ${classes.list}`}>
         {SECTIONS.map(({ id, title }, index) => (
           <li key={id}>
-            <a href={`#${id}`} className={contents.link} aria-current={index === active ? "location" : undefined}>
+            <a href={`#${id}`} className={classes.link} aria-current={index === active ? "location" : undefined}>
               {title}
             </a>
           </li>
         ))}
       </ol>
       {paper && (
-        <div className={contents.count}>
+        <Box className={classes.count} mt="1rem" pl="0.7rem">
           <b>{paper.reached}</b> of {countedOf(paper, paper.counts)} reached{soFar(paper)}
           {paper.interpretations
             .filter(({ id }) => id !== paper.interpretation)
@@ -209,7 +172,7 @@ function Contents({ paper }: { readonly paper: Paper | undefined }) {
             </Box>
           )}
           <VerdictBar counts={paper.counts} total={countedOf(paper, paper.counts)} />
-        </div>
+        </Box>
       )}
     </nav>
   );
@@ -218,32 +181,66 @@ function Contents({ paper }: { readonly paper: Paper | undefined }) {
 /** A heading counts as reached when it is this near to the window's top [px]. */
 const REACHED = 120;
 
-/** Index of the last of these elements whose top has been reached; 0 above the first. */
-function useSection(ids: readonly string[]): number {
+/** Index of the last section whose top has been reached; 0 above the first. */
+function useSection(): number {
   const [section, setSection] = useState(0);
-  useEffect(() => {
-    let frame = 0;
-    const look = () => {
-      frame = 0;
-      const tops = ids.map((id) => document.getElementById(id)?.getBoundingClientRect().top ?? Infinity);
-      const atEnd = window.innerHeight + window.scrollY >= document.documentElement.scrollHeight - 2;
-      setSection(
-        atEnd && window.scrollY > 0
-          ? ids.length - 1
-          : Math.max(
-              0,
-              tops.findLastIndex((top) => top < REACHED),
-            ),
-      );
-    };
-    const onScroll = () => {
-      if (frame === 0) frame = requestAnimationFrame(look);
-    };
-    window.addEventListener("scroll", onScroll, { passive: true });
-    return () => {
-      window.removeEventListener("scroll", onScroll);
-      cancelAnimationFrame(frame);
-    };
-  }, [ids]);
+  useWindowEvent("scroll", () => {
+    const reached = SECTIONS.findLastIndex(
+      ({ id }) => (document.getElementById(id)?.getBoundingClientRect().top ?? Infinity) < REACHED,
+    );
+    const atEnd = window.innerHeight + window.scrollY >= document.documentElement.scrollHeight - 2;
+    setSection(atEnd && window.scrollY > 0 ? SECTIONS.length - 1 : Math.max(0, reached));
+  });
   return section;
+}
+
+/** What the other rules are about. */
+const ABOUT: Readonly<Record<string, string>> = {
+  hil: "Hardware in the loop",
+  mean: "Ours",
+  ci: "Interval",
+  certain: "Certain",
+  misprint: "Misprint",
+};
+
+function Rules({ rules }: Pick<Paper, "rules">) {
+  return (
+    <DataTable
+      label="Rules of the verdicts"
+      card
+      rows={Object.entries(rules)}
+      rowKey={([key]) => key}
+      columns={[
+        {
+          key: "about",
+          head: "About",
+          text: true,
+          cell: ([key]) => {
+            const verdict = VERDICTS.find((each) => each.verdict === key)?.verdict;
+            return verdict ? <VerdictMark verdict={verdict} certain /> : (ABOUT[key] ?? key);
+          },
+        },
+        { key: "rule", head: "Rule", text: true, cell: ([, rule]) => <Inline text={rule} /> },
+      ]}
+    />
+  );
+}
+
+function Errata({ errata }: Pick<Paper, "errata">) {
+  return (
+    <DataTable
+      label="What is printed, what is used here"
+      card
+      attributes={{ "data-testid": "errata" }}
+      rows={errata}
+      rowKey={({ place, printed }) => `${place} ${printed}`}
+      columns={(["place", "printed", "here"] as const).map((key) => ({
+        key,
+        head: { place: "Place", printed: "Printed", here: "Here" }[key],
+        text: true,
+        headAttributes: { style: { minWidth: "14rem" } },
+        cell: (erratum: Paper["errata"][number]) => <Inline text={erratum[key]} />,
+      }))}
+    />
+  );
 }

@@ -1,32 +1,29 @@
 /** The paper's comparing tables, each with ours beside it: what it prints, what comes out here, the verdict. */
 
-import { Anchor, Text } from "@mantine/core";
+import { Anchor, Box, Text } from "@mantine/core";
 import { Icon } from "../../ui/icons";
 import type { Paper, PaperCell, PaperJudgement, PaperTable } from "../../api/types";
 import { formatPercent } from "../../features/tables/change";
 import { formatResult } from "../../units/format";
 import { printedChange, printedValue, spreadOf, typeset } from "./numbers";
 import classes from "./paper.module.css";
-import tables from "./tables.module.css";
 import { VerdictMark, cellId } from "./Verdict";
+import { useLabels, type Labels } from "../../server/useCatalogues";
 import { DataTable, type Column, type RowGroup } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
-import type { Labels } from "../../server/useCatalogues";
 
-interface Props {
-  readonly paper: Paper;
-  readonly words: Labels;
-}
-
-export function Tables({ paper, words }: Props) {
+export function Tables({ paper }: { readonly paper: Paper }) {
   return (
     <>
       <Text className={ui.lead ?? ""} mb="0.6rem">
         The paper’s columns are as printed; ours are means over {paper.seeds} roads, changes with their 95 % interval in
-        percentage points. A <span className={tables.misprintWord}>misprint</span> is a printed change that does not
-        follow from the absolutes printed beside it; the verdict is taken against the one that does. The absolutes are
-        not the measure: the parameters the paper prints do not give its own passive car (
-        <Anchor href="#errata">errata</Anchor>
+        percentage points. A{" "}
+        <Text span td="underline dotted var(--worse)">
+          misprint
+        </Text>{" "}
+        is a printed change that does not follow from the absolutes printed beside it; the verdict is taken against the
+        one that does. The absolutes are not the measure: the parameters the paper prints do not give its own passive
+        car (<Anchor href="#errata">errata</Anchor>
         ). Tables 1–3 and 6 are inputs: the fuzzy rules, the vehicle and the weights are in the{" "}
         <Anchor href="#count">scenario</Anchor>.
       </Text>
@@ -35,7 +32,6 @@ export function Tables({ paper, words }: Props) {
           key={table.number}
           table={table}
           cells={paper.cells.filter((cell) => cell.table === table.number)}
-          words={words}
           reason={paper.unavailable?.reason}
         />
       ))}
@@ -46,14 +42,14 @@ export function Tables({ paper, words }: Props) {
 interface TableProps {
   readonly table: PaperTable;
   readonly cells: readonly PaperCell[];
-  readonly words: Labels;
   /** Why cells are not available, where there are such. */
   readonly reason: string | undefined;
 }
 
-function Table({ table, cells, words, reason }: TableProps) {
+function Table({ table, cells, reason }: TableProps) {
+  const words = useLabels();
   return (
-    <div className={tables.tableBlock} id={`table-${table.number}`}>
+    <div className={classes.tableBlock} style={{ scrollMarginTop: "3.6rem" }} id={`table-${table.number}`}>
       <h3 className={classes.subtitle}>
         Table {table.number}{" "}
         <Text span inherit fw={400} c="dimmed" ml="0.4rem">
@@ -150,9 +146,9 @@ function Signal({ cell, words }: { readonly cell: PaperCell; readonly words: Lab
     <>
       {words.signal(cell.signal)} <span className={ui.dim}>{words.unit(cell.signal).unit}</span>
       {/* Where the table is wider than the window, the verdict stands where it is in sight. */}
-      <span className={tables.nearVerdict}>
+      <Box component="span" display="block" fz="xs" hiddenFrom="sm">
         <VerdictMark verdict={cell.verdict} certain={cell.certain} />
-      </span>
+      </Box>
     </>
   );
 }
@@ -184,12 +180,16 @@ function OurChange({ item: { our_change: change, ci } }: { readonly item: PaperJ
 function PrintedChange({ cell: { paper_change: printed, misprint } }: { readonly cell: PaperCell }) {
   if (!misprint) return <>{printedChange(printed)}</>;
   return (
-    <span className={tables.misprint}>
-      <s>{printedChange(misprint.printed)}</s>
-      <span className={tables.misprintMark}>
+    <>
+      <Text component="s" fz="inherit" c="dimmed">
+        {printedChange(misprint.printed)}
+      </Text>
+      <Box component="span" display="block" maw="7.5rem" ml="auto" fz="xs" c="var(--worse)" style={WRAPPED}>
         <Icon name="AlertTriangle" size={12} className={ui.inline} /> misprint: {printedChange(misprint.follows)}{" "}
         follows
-      </span>
-    </span>
+      </Box>
+    </>
   );
 }
+
+const WRAPPED = { whiteSpace: "normal" } as const;

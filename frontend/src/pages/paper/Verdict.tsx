@@ -1,9 +1,8 @@
 /** A verdict as icon and word, and a count of the three as a bar. Colour only repeats them. */
 
-import { Box, Group } from "@mantine/core";
+import { Box, Group, Progress } from "@mantine/core";
 import { Icon } from "../../ui/icons";
 import type { PaperJudgement, VerdictCounts, Paper, PaperCell, PaperVerdict } from "../../api/types";
-import classes from "./verdict.module.css";
 import { count } from "../../units/format";
 import ui from "../../ui/ui.module.css";
 
@@ -47,39 +46,44 @@ interface BarProps {
 }
 
 export function VerdictBar({ counts, total = totalOf(counts), large = false }: BarProps) {
-  const pending = total - totalOf(counts);
   return (
-    <div className={classes.bar} data-large={large || undefined} role="img" aria-label={countsInWords(counts)}>
-      {VERDICTS.filter(({ verdict }) => counts[verdict] > 0).map(({ verdict }) => (
-        <span key={verdict} data-verdict={verdict} style={{ flexGrow: counts[verdict] / Math.max(1, total) }} />
+    <Progress.Root size={large ? 16 : 8} role="img" aria-label={countsInWords(counts)}>
+      {VERDICTS.map(({ verdict, colour }) => (
+        <Progress.Section
+          key={verdict}
+          withAria={false}
+          data-verdict={verdict}
+          value={(100 * counts[verdict]) / Math.max(1, total)}
+          color={colour}
+          style={PRINTED}
+        />
       ))}
-      {pending > 0 && <span data-verdict="pending" style={{ flexGrow: pending / total }} />}
-    </div>
+    </Progress.Root>
   );
 }
+
+const PRINTED = { printColorAdjust: "exact" } as const;
 
 export function VerdictCountList({ counts }: { readonly counts: VerdictCounts }) {
   return (
     <Group component="ul" className={ui.list ?? ""} gap="0.2rem 0.7rem" fz="sm">
-      {VERDICTS.map(({ verdict, word }) => {
-        return (
-          <li key={verdict} className={ui.mark} data-verdict={verdict}>
-            <Icon name={ICONS[verdict]} size={14} stroke={2.6} />
-            <span>
-              <b>{counts[verdict]}</b> {word}
-            </span>
-          </li>
-        );
-      })}
+      {VERDICTS.map(({ verdict }) => (
+        <li key={verdict} className={ui.mark} data-verdict={verdict}>
+          <Icon name={ICONS[verdict]} size={14} stroke={2.6} />
+          <span>
+            <b>{counts[verdict]}</b> {verdict}
+          </span>
+        </li>
+      ))}
     </Group>
   );
 }
 
 /** From the best to the worst; words as the tables have them. */
-export const VERDICTS: readonly { readonly verdict: PaperVerdict; readonly word: string }[] = [
-  { verdict: "reached", word: "reached" },
-  { verdict: "smaller", word: "smaller" },
-  { verdict: "contradicts", word: "contradicts" },
+export const VERDICTS: readonly { readonly verdict: PaperVerdict; readonly colour: string }[] = [
+  { verdict: "reached", colour: "var(--better)" },
+  { verdict: "smaller", colour: "var(--faint)" },
+  { verdict: "contradicts", colour: "var(--worse)" },
 ];
 
 export const wordOf = (verdict: PaperJudgement["verdict"]) => (verdict === "unavailable" ? "not available" : verdict);
@@ -95,7 +99,7 @@ const totalOf = (counts: VerdictCounts) => VERDICTS.reduce((sum, { verdict }) =>
 
 /** `28 reached, 8 smaller, 4 contradicts`. */
 export const countsInWords = (counts: VerdictCounts) =>
-  VERDICTS.map(({ verdict, word }) => `${counts[verdict]} ${word}`).join(", ");
+  VERDICTS.map(({ verdict }) => `${counts[verdict]} ${verdict}`).join(", ");
 
 /** Where a cell stands on the page. */
 export const cellId = ({
@@ -125,3 +129,13 @@ export function previewSentence(paper: Paper): string {
 export const uncertain = ({ cells }: Paper) => cells.filter(({ certain }) => certain === false).length;
 
 export const isMissed = ({ verdict }: PaperCell) => verdict === "smaller" || verdict === "contradicts";
+
+/** `28 of 40`. */
+export function Of({ reached, total }: Record<"reached" | "total", number>) {
+  if (total === 0) return "–";
+  return (
+    <>
+      <b>{reached}</b> of {total}
+    </>
+  );
+}

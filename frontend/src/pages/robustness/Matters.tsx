@@ -1,19 +1,35 @@
-/** Which uncertainty a strategy's figures follow, and in which direction. */
+/** Which uncertainty a strategy’s figures follow: by rank over all points, and each field alone at both its ends. */
 
 import { Box, SegmentedControl, Text } from "@mantine/core";
 import { useState } from "react";
 import type { Batch } from "../../api/types";
-import type { Metric } from "../../server/metrics";
-import { formatFixed } from "../../units/format";
-import { nameOf } from "./names";
+import { type Metric, fullName, OPENING_METRIC } from "../../server/metrics";
+import { formatFixed, formatResult, prettyUnit } from "../../units/format";
+import { nameOf, useFieldText, RunButton } from "./RunButton";
 import { humanise } from "../../scenario/schema";
-import { hasOrder } from "./study";
-import { matters, ranked, type Ranked, type Sensitivity, type StrategySummary, type StudyParts } from "./summary";
+import {
+  hasOrder,
+  matters,
+  ranked,
+  type Ranked,
+  type Sensitivity,
+  type StrategySummary,
+  type StudyParts,
+  TRAVEL,
+} from "./study";
 import { DataTable, type Column } from "../../ui/DataTable";
-import { labelled } from "../../ui/Entry";
+import { labelled, Choice, SCROLLED } from "../../ui/Entry";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
-import { Note } from "../../ui/Messages";
+import { Note, Fault } from "../../ui/Messages";
+import { keepPreviousData, useQuery } from "@tanstack/react-query";
+import { useCatalogues } from "../../server/useCatalogues";
+import { isFinal, BATCH, jobQuery } from "../../jobs/useJob";
+import { tableQuery, useOpenRun } from "../../features/sweep/table";
+import { formatPercent } from "../../features/tables/change";
+import { tornadoChart, isOneByOne, tornadoOf, type Bar, type End, type Tornado } from "./charts";
+import { Chart } from "../../plots/Chart";
+import { useChart, type Look } from "../../plots/useChart";
 
 type Props = Pick<StudyParts, "batch" | "summary" | "strategies" | "figures">;
 
@@ -36,8 +52,7 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
         <>
           <SegmentedControl
             aria-label="Strategy"
-            maw="100%"
-            style={{ overflowX: "auto" }}
+            {...SCROLLED}
             value={strategy.id}
             data={labelled(strategies)}
             onChange={setStrategyId}
@@ -45,8 +60,7 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
           {strategy.id !== summary.baseline && (
             <SegmentedControl
               aria-label="What follows"
-              maw="100%"
-              style={{ overflowX: "auto" }}
+              {...SCROLLED}
               value={of}
               data={[
                 { value: "value", label: "its value" },
@@ -131,5 +145,154 @@ function Share({ sensitivity }: { readonly sensitivity: Sensitivity | undefined 
         fz="xs"
       >{`${sensitivity.spearman < 0 ? "" : "+"}${formatFixed(sensitivity.spearman, 2)}`}</Box>
     </>
+  );
+}
+
+interface AloneProps extends Pick<StudyParts, "figures" | "strategies"> {
+  readonly id: string;
+}
+
+const REFRESH_MS = 2_000;
+
+export function OneAtATime({ id, ...rest }: AloneProps) {
+  // Its end is asked for: the page's one stream of events is the study's.
+  const { data: batch, error } = useQuery({
+    ...jobQuery(BATCH, id),
+    refetchInterval: ({ state: { data } }) => data !== undefined && !isFinal(data) && REFRESH_MS,
+  });
+  if (!batch && !error) return null;
+  if (batch && !error && isOneByOne(batch)) return <FieldAlone batch={batch} {...rest} />;
+  return (
+    <Card {...ALONE}>
+      <Text c="dimmed" className={ui.note ?? ""} role="status">
+        {error
+          ? `Each field alone could not be read: ${error.message}`
+          : "The sweep that this address names does not vary each field alone."}
+      </Text>
+    </Card>
+  );
+}
+
+const ALONE = { "aria-label": "Each field alone", title: "Each field alone" };
+
+function FieldAlone({ batch, figures, strategies }: Omit<AloneProps, "id"> & { readonly batch: Batch }) {
+  const offered = [...figures, ...useCatalogues().figures.filter(({ key }) => key === TRAVEL)];
+  const [figureKey, setFigure] = useState(OPENING_METRIC);
+  const [strategyId, setStrategy] = useState(strategies.find(({ id }) => id === "lv")?.id ?? strategies[0]?.id ?? "");
+  const figure = offered.find(({ key }) => key === figureKey) ?? offered[0];
+  const keys = offered.map(({ key }) => key);
+  const table = useQuery({ ...tableQuery(batch, keys), placeholderData: keepPreviousData });
+  const opening = useOpenRun(batch);
+  const fieldText = useFieldText();
+  const columns = table.data?.columns;
+  const tornado = columns && figure ? tornadoOf(batch, columns, strategyId, figure.key) : null;
+  const { chart, button } = useChart({
+    title: `Each field alone: ${figure ? fullName(figure) : ""}`,
+    file: `ridelab-${batch.id}-fields-${figure?.key ?? ""}`,
+    draw: tornado && figure ? ({ palette }: Look) => tornadoChart(tornado, figure, fieldText, palette) : null,
+  });
+  if (!figure) return null;
+  const explanation = table.isError
+    ? `The rows could not be read: ${table.error.message}`
+    : isFinal(batch) && table.data
+      ? "This metric has no value for the scenario itself."
+      : "Loading these runs…";
+  return (
+    <Card
+      {...ALONE}
+      tools={
+        <>
+          <Choice aria-label="Strategy alone" value={strategyId} data={labelled(strategies)} onPick={setStrategy} />
+          <Choice
+            aria-label="Metric alone"
+            value={figure.key}
+            data={offered.map((each) => ({ value: each.key, label: fullName(each) }))}
+            onPick={setFigure}
+          />
+          {button}
+        </>
+      }
+    >
+      <Note className={ui.note ?? ""}>
+        One field at its lowest value (light) and its highest (dark), all others as in the scenario. A bar to the right
+        is worse. A click on a change opens its run.
+      </Note>
+      {opening.error !== null && (
+        <Fault size="md" className={ui.note ?? ""}>
+          This run could not be opened: {opening.error}
+        </Fault>
+      )}
+      {tornado ? (
+        <>
+          <Chart
+            {...chart}
+            height={AROUND + ROW * tornado.bars.length}
+            label={`${fullName(figure)} with each field alone at both its ends. Every value stands in the table below.`}
+          />
+          <Ends {...{ tornado, figure, opening, batch }} />
+        </>
+      ) : (
+        <Text c="dimmed" className={ui.note ?? ""} role="status">
+          {explanation}
+        </Text>
+      )}
+    </Card>
+  );
+}
+
+/** Of a field, and of the axis [px]. */
+const [ROW, AROUND] = [28, 70];
+
+interface EndsProps extends Pick<StudyParts, "batch" | "opening"> {
+  readonly tornado: Tornado;
+  readonly figure: Metric;
+}
+
+/** Both ends of each field: where they are, and what the figure comes to there. */
+function Ends({ tornado: { nominal, bars }, figure: { scale, unit }, opening, batch }: EndsProps) {
+  const fieldText = useFieldText();
+  const shown = (value: number) => `${formatResult(value * scale)} ${prettyUnit(unit)}`.trim();
+  const change = ({ value }: End) => (nominal === 0 ? shown(value) : formatPercent(100 * (value / nominal - 1)));
+  const columnsOf = (side: "low" | "high", group: string): readonly Column<Bar>[] => [
+    {
+      key: `${side} field`,
+      group,
+      head: "field",
+      cell: ({ field, [side]: end }) => end && fieldText(field.name, end.at),
+    },
+    {
+      key: side,
+      group,
+      head: "change",
+      detail: nominal === 0 ? "" : `of ${shown(nominal)}`,
+      attributes: ({ [side]: end }) => ({ "data-bad": end !== null && end.value > nominal ? true : undefined }),
+      cell: ({ field, [side]: end }) =>
+        end && (
+          <RunButton
+            run={{
+              run: end.row - (end.row % batch.strategies.length),
+              value: end.value,
+              at: end.at === undefined ? {} : { [field.name]: end.at },
+            }}
+            text={change(end)}
+            what={`${field.title} ${fieldText(field.name, end.at)}:`}
+            opening={opening}
+          />
+        ),
+    },
+  ];
+  return (
+    <DataTable
+      label="Each field at its ends"
+      attributes={{ "data-testid": "tornado", "data-dense": true }}
+      rows={bars}
+      rowKey={({ field }) => field.name}
+      rowAttributes={({ field }) => ({ "data-field": field.name })}
+      columns={[
+        { key: "field", head: "Field", text: true, cell: ({ field }) => humanise(nameOf(field.name, [field])) },
+        ...columnsOf("low", "At its lowest value"),
+        ...columnsOf("high", "At its highest value"),
+      ]}
+    />
   );
 }

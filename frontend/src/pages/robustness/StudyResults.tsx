@@ -4,16 +4,15 @@ import { Text, Alert, Box } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useNavigate, useSearch } from "@tanstack/react-router";
 import { useMemo } from "react";
-import { isFinal } from "../../jobs/follow";
+import { isFinal } from "../../jobs/useJob";
 import type { Catalogue, BatchSummary, Strategy, StrategyId } from "../../api/types";
 import { paperMetrics } from "../../server/metrics";
 import { formatWhole } from "../../units/format";
-import { Limits } from "./Limits";
+import { Limits, Spread } from "./Spread";
 import { Matters } from "./Matters";
-import { OneAtATime } from "./OneAtATime";
-import { Spread } from "./Spread";
-import { AIRBORNE, summaryQuery, TRAVEL, quantile, type Margin, type StudyParts } from "./summary";
-import { useOpenRun } from "../../features/sweep/useOpenRun";
+import { OneAtATime } from "./Matters";
+import { AIRBORNE, summaryQuery, TRAVEL, quantile, type Margin, type StudyParts } from "./study";
+import { useOpenRun } from "../../features/sweep/table";
 import { Fault, Note } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
 import { Icon } from "../../ui/icons";
@@ -94,7 +93,7 @@ export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
       <Spread {...shared} figures={paper} />
       <Limits {...shared} />
       <Matters {...{ summary, strategies, batch }} figures={paper} />
-      {one !== undefined && <OneAtATime id={one} {...{ figures, strategies }} paper={paper} />}
+      {one !== undefined && <OneAtATime id={one} {...{ strategies }} figures={paper} />}
       <Note>
         Percentiles lie between two values by distance. Every strategy runs at the same points; changes are taken point
         by point. The ranges are ours, not the paper’s: 5 and 95 % of these points say nothing about 5 and 95 % of real

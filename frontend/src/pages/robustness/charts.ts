@@ -1,36 +1,25 @@
 /** The spread of a figure under each strategy, and each field alone, as plotly draws them on the page and in a file. */
 
-import type { BatchSummary, Strategy } from "../../api/types";
+import type { BatchSummary, Strategy, Batch, StrategyId } from "../../api/types";
 import { fullName, type Metric } from "../../server/metrics";
-import { chartLayout, type Palette } from "../../plots/palettes";
+import { chartLayout, lineTrace, type Palette } from "../../plots/palettes";
 import type { ChartOnPaper } from "../../plots/paperChart";
-import type { LineTrace, PointTrace } from "../../plots/plotly";
+import type { PointTrace } from "../../plots/plotly";
 import { titleWithUnit } from "../../units/format";
-import { quantile } from "./summary";
-import type { End, Tornado } from "./tornado";
-import { nameOf } from "./names";
+import { quantile, sweepOf } from "./study";
+import { nameOf } from "./RunButton";
 import { humanise } from "../../scenario/schema";
-import type { Cell } from "../../features/sweep/table";
+import { type Cell, cell, type Columns } from "../../features/sweep/table";
 
 type Ends = readonly [number | null | undefined, number | null | undefined];
 
-const bars = (
-  name: string,
-  names: readonly string[],
-  ends: readonly Ends[],
-  color: string,
-  width: number,
-  shift = 0,
-): LineTrace => ({
-  type: "scatter",
-  mode: "lines",
-  name,
-  opacity: 1,
-  hoverinfo: "skip",
-  line: { color, width },
-  x: ends.flatMap(([low, high]) => [low ?? null, high ?? null, null]),
-  y: names.flatMap((_, index) => [index + shift, index + shift, null]),
-});
+const bars = (name: string, names: readonly string[], ends: readonly Ends[], color: string, width: number, shift = 0) =>
+  lineTrace(name, {
+    x: ends.flatMap(([low, high]) => [low ?? null, high ?? null, null]),
+    y: names.flatMap((_, index) => [index + shift, index + shift, null]),
+    color,
+    width,
+  });
 
 function points(
   name: string,
@@ -124,7 +113,6 @@ export function spreadChart(
   ];
   return {
     figure: { data, layout: layoutOf(palette, title, names, { rangemode: "tozero" }) },
-    legend: data.map(({ name }) => name),
     table: [
       [
         "Strategy",
@@ -164,7 +152,6 @@ export function tornadoChart(
         ],
       },
     },
-    legend: data.map(({ name }) => name),
     table: [
       ["Field", "Lowest", title, "Highest", title],
       ["The scenario itself", "", base, "", base],
@@ -174,4 +161,53 @@ export function tornadoChart(
       }),
     ],
   };
+}
+
+export interface End {
+  /** The table's row. */
+  readonly row: number;
+  /** The field's value there. */
+  readonly at: Cell;
+  readonly value: number;
+}
+
+export interface Bar {
+  readonly field: Batch["fields"][number];
+  readonly low: End | null;
+  readonly high: End | null;
+  /** How far the ends are from each other and from the nominal, at most. */
+  readonly span: number;
+}
+
+export interface Tornado {
+  readonly nominal: number;
+  /** The widest first. */
+  readonly bars: readonly Bar[];
+}
+
+/** `null` where the scenario itself has no such figure, or has not run yet. The list is the nominal, then a pair for each field. */
+export function tornadoOf(batch: Batch, columns: Columns, strategy: StrategyId, figure: string): Tornado | null {
+  const rows = (columns.run ?? []).flatMap((_, row) => (cell(columns, "strategy", row) === strategy ? [row] : []));
+  const valueAt = (row: number | undefined): number | null => {
+    const value = row === undefined ? null : cell(columns, figure, row);
+    return typeof value === "number" ? value : null;
+  };
+  const nominal = valueAt(rows[0]);
+  if (nominal === null) return null;
+  const bars = batch.fields.map((field, index): Bar => {
+    const [low = null, high = null] = [1, 2].map((step): End | null => {
+      const row = rows[2 * index + step];
+      const value = valueAt(row);
+      return row === undefined || value === null ? null : { row, at: cell(columns, field.name, row), value };
+    });
+    const values = [nominal, ...[low, high].flatMap((end) => (end ? [end.value] : []))];
+    return { field, low, high, span: Math.max(...values) - Math.min(...values) };
+  });
+  return { nominal, bars: [...bars].sort((a, b) => b.span - a.span) };
+}
+
+/** It is a study of this kind: the scenario itself, then two points for each field. */
+export function isOneByOne(batch: Batch): boolean {
+  const { list } = sweepOf(batch);
+  return list?.length === 2 * batch.fields.length + 1 && Object.keys(list[0] ?? {}).length === 0;
 }

@@ -2,10 +2,9 @@ import { leadSentence } from "./StudyResults";
 import { describe, expect, it } from "vitest";
 import type { Batch, RobustnessDefaults } from "../../api/types";
 import { FORM } from "../../scenario/form.fixture";
-import { isOneByOne, tornadoOf } from "./tornado";
-import { fieldText } from "./names";
-import { draftStudy, readStudy, type StudyDraft } from "./study";
-import { matters, quantile, ranked, type Sensitivity } from "./summary";
+import { isOneByOne, tornadoOf } from "./charts";
+import { fieldText } from "./RunButton";
+import { draftStudy, readStudy, type StudyDraft, matters, quantile, ranked, type Sensitivity } from "./study";
 import { withFields } from "../../scenario/fields";
 
 const range = (field: string, low: number, high: number) => ({ field, title: field, unit: "1", low, high, why: "" });
@@ -35,7 +34,7 @@ describe("a study", () => {
     ]);
     expect(readStudy(draft)).toEqual({
       ok: true,
-      sweeps: {
+      body: {
         cube: {
           latin_hypercube: { ranges: { "road.bump.height": [0.05, 0.15], "road.seed": [1, 9] }, samples: 200, seed: 0 },
         },
@@ -74,7 +73,7 @@ describe("a study", () => {
       ok: false,
       errors: { samples: expect.stringContaining("at least 20") as string },
     });
-    expect(change({ oneByOne: false })).toMatchObject({ ok: true, sweeps: { oneByOne: null } });
+    expect(change({ oneByOne: false })).toMatchObject({ ok: true, body: { oneByOne: null } });
   });
 });
 

@@ -1,24 +1,21 @@
 /** A metric over two swept fields in colours, and how much of it keeps a threshold. */
 
-import { Group, Text, useComputedColorScheme } from "@mantine/core";
-import { useMemo, useRef, useState } from "react";
+import { Group, Text } from "@mantine/core";
+import { useMemo, useState } from "react";
 import { Chart } from "../../plots/Chart";
-import { ChartButton } from "../../plots/FigureButton";
-import { ON_PAPER, PALETTES } from "../../plots/palettes";
+import { useChart, type Look } from "../../plots/useChart";
 import { count, formatExact, formatResult, prettyUnit, titleWithUnit } from "../../units/format";
 import { fullName } from "../../server/metrics";
 import { formatPercent } from "../../features/tables/change";
 import { isRandom, oneRoadNoiseOf } from "../../features/tables/entries";
 import { metricPath } from "../../lab/metricPath";
-import { fieldTexts } from "./describeRow";
 import { coarse, failing, firstFailure, hatched, mapGrid, shareBelow, type MapGrid } from "./map";
-import type { PlotParts } from "./shownPlot";
-import { isFinal } from "../../jobs/follow";
+import { fieldTexts, type PlotParts } from "./view";
+import { isFinal } from "../../jobs/useJob";
 import type { Columns } from "../../features/sweep/table";
 import { mapFigure } from "./mapFigure";
 
 export function MapPlot({ batch, columns: newest, shown, strategies, height, textOf, onOpen }: PlotParts) {
-  const scheme = useComputedColorScheme("light");
   const { x, other, y, strategy, against, threshold, mapUnit } = shown;
   const [pointed, setPointed] = useState(false);
   const columns = useHeld(newest, y.key, pointed && !isFinal(batch));
@@ -31,45 +28,49 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
     const { key: metric, scale } = y;
     return other && mapGrid(columns, { x: x.name, y: other.name, metric, scale, strategy, against, oneRoadNoise });
   }, [columns, x, other, y, strategy, against, oneRoadNoise]);
-  const figure = useMemo(() => {
+  const name = `${fullName(y)}${against === null ? "" : `, change against ${otherLabel}`}, ${labelOf(strategy)}`;
+  const colours = titleWithUnit(name, mapUnit);
+  const draw = useMemo(() => {
     if (!grid || !other) return null;
-    const cellText = (row: number, value: number, half: number) => [
-      ...textOf(row),
-      ...(against !== null
-        ? [`${formatPercent(value, half)} against ${otherLabel}`]
-        : roads > 1
-          ? [`Mean of the roads: ${formatResult(value)} ${prettyUnit(mapUnit)}`]
-          : []),
-    ];
-    const title = fullName(y);
-    const roads = mostRoads(grid);
+    const ofMean = mostRoads(grid) > 1;
     const input = {
       grid,
       hatched: hatched(grid, columns),
       failing: failing(grid, columns),
-      coarse: isFinal(batch) ? [] : coarse(grid, columns),
       x,
       y: other,
-      title,
+      title: fullName(y),
       unit: mapUnit,
       difference: against !== null,
       threshold,
-      textOf: cellText,
+      textOf: (row: number, value: number, half: number) => [
+        ...textOf(row),
+        ...(against !== null
+          ? [`${formatPercent(value, half)} against ${otherLabel}`]
+          : ofMean
+            ? [`Mean of the roads: ${formatResult(value)} ${prettyUnit(mapUnit)}`]
+            : []),
+      ],
     };
-    return {
-      drawn: mapFigure({ ...input, palette: PALETTES[scheme], scheme }),
-      onPaper: () => mapFigure({ ...input, coarse: [], palette: ON_PAPER, scheme: "light" }),
-    };
-  }, [grid, batch, columns, x, other, y, mapUnit, against, otherLabel, threshold, textOf, scheme]);
-  const host = useRef<HTMLDivElement>(null);
+    return ({ palette, scheme, onPaper }: Look) => ({
+      figure: mapFigure({
+        ...input,
+        palette,
+        scheme,
+        coarse: onPaper || isFinal(batch) ? [] : coarse(grid, columns),
+      }),
+      legend: [],
+      colours,
+    });
+  }, [grid, batch, columns, x, other, y, mapUnit, against, otherLabel, threshold, textOf, colours]);
+  const { chart, button } = useChart({ title: name, file: `ridelab-${batch.id}-${y.key}-${strategy}`, draw });
 
-  if (!grid || !other || !figure)
+  if (!grid || !other)
     return (
       <Text p="3rem 1rem" fz="md" ta="center" c="dimmed">
         {columns.run ? "A map needs finished runs at two or more values of both fields." : "Loading the rows…"}
       </Text>
     );
-  const name = `${fullName(y)}${against === null ? "" : `, change against ${otherLabel}`}, ${labelOf(strategy)}`;
   const { computed, gaps, below } = shareBelow(grid, threshold ?? Infinity);
   const limit = formatExact(threshold ?? 0, mapUnit);
   const points = count(computed, "point");
@@ -79,16 +80,13 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
       : against !== null && threshold === 0
         ? `${labelOf(strategy)} is at or below ${otherLabel} at ${below} of ${points}.`
         : `At or below ${limit} at ${below} of ${points}.`;
-  const { drawn, onPaper } = figure;
   const first = firstFailure(grid, columns);
   const roads = mostRoads(grid);
-  const colours = titleWithUnit(name, mapUnit);
   return (
     <>
       <div onPointerEnter={() => setPointed(true)} onPointerLeave={() => setPointed(false)}>
         <Chart
-          hostRef={host}
-          figure={drawn}
+          {...chart}
           height={height}
           label={`${name} over ${x.title} and ${other.title}. ${sentence} Every value stands in the table below.`}
           onPoint={onOpen}
@@ -106,12 +104,7 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
           {isFinal(batch) ? gaps > 0 && ` ${count(gaps, "gap")} without a value.` : " Faint: as the nearest point."} A
           click on a cell opens its {roads > 1 && "first "}run; drag to zoom, double click for all.
         </Text>
-        <ChartButton
-          title={name}
-          file={`ridelab-${batch.id}-${y.key}-${strategy}`}
-          hostRef={host}
-          draw={() => ({ figure: onPaper(), legend: [], colours })}
-        />
+        {button}
       </Group>
     </>
   );

@@ -1,23 +1,20 @@
 /** Runs as points in their strategy's colour: a metric over a swept field, or over another metric. */
 
-import { Group, Text, useComputedColorScheme } from "@mantine/core";
-import { useCallback, useMemo, useRef, useState } from "react";
+import { Group, Text } from "@mantine/core";
+import { useCallback, useMemo, useState } from "react";
 import type { Batch, Strategy } from "../../api/types";
 import { Icon } from "../../ui/icons";
-import { isFinal } from "../../jobs/follow";
+import { isFinal } from "../../jobs/useJob";
 import { Chart } from "../../plots/Chart";
-import { ChartButton } from "../../plots/FigureButton";
-import { ON_PAPER, PALETTES } from "../../plots/palettes";
-import { useCatalogue, useLightColours } from "../../server/useCatalogues";
+import { useChart, type Look } from "../../plots/useChart";
+import { useCatalogue } from "../../server/useCatalogues";
 import { count, formatWhole, formatWithUnit } from "../../units/format";
 import { axesOf, type AxisOf, cell, pointsOf, type Columns, showCell } from "../../features/sweep/table";
 import classes from "./sweep.module.css";
-import { isAirborne, fieldTexts } from "./describeRow";
+import { isAirborne, fieldTexts, type ShownPlot, type PlotParts, type SweepParts } from "./view";
 import { DotLayer } from "./DotLayer";
 import { fullName } from "../../server/metrics";
-import { frontOf, linesOf } from "./lines";
-import { scatterFigure } from "./scatter";
-import type { ShownPlot, PlotParts, SweepParts } from "./shownPlot";
+import { frontOf, linesOf, scatterFigure } from "./scatter";
 import ui from "../../ui/ui.module.css";
 
 interface Props extends PlotParts, Pick<SweepParts, "markers" | "best"> {
@@ -40,8 +37,6 @@ export function PointsPlot({
   onOpen,
 }: Props) {
   const catalogue = useCatalogue();
-  const palette = PALETTES[useComputedColorScheme("light")];
-  const host = useRef<HTMLDivElement>(null);
   const [ownPoints, setOwnPoints] = useState(false);
   const onNoAxes = useCallback(() => setOwnPoints(true), []);
 
@@ -83,41 +78,37 @@ export function PointsPlot({
     const isHollow = (row: number) => isAirborne(columns, row);
     const ringed = tradeOff ? front : best === null ? NONE : [best];
     const input = { points, markers, x, y, ringed, front: tradeOff, lines, curves, labelOf, isHollow, textOf };
-    return (look: Pick<Parameters<typeof scatterFigure>[0], "strategies" | "palette" | "most">) =>
-      scatterFigure({ ...input, ...look });
-  }, [points, columns, axes, joined, curves, markers, x, y, best, tradeOff, front, textOf]);
-  const figure = useMemo(
-    () => draw({ strategies, palette, ...(ownPoints && { most: Infinity }) }),
-    [draw, strategies, palette, ownPoints],
-  );
-  const light = useLightColours(strategies);
-  const drawOnPaper = () => {
-    return {
-      figure: draw({ strategies: light, palette: ON_PAPER, most: Infinity }),
-      legend: light.map(({ label }) => label),
-    };
-  };
+    return ({ strategies: coloured, palette, onPaper }: Look) => ({
+      figure: scatterFigure({
+        ...input,
+        palette,
+        strategies: coloured,
+        ...((onPaper || ownPoints) && { most: Infinity }),
+      }),
+      legend: strategies.map(({ label }) => label),
+    });
+  }, [points, columns, axes, joined, curves, markers, x, y, best, tradeOff, front, textOf, ownPoints, strategies]);
+  const { drawn, chart, button } = useChart({ title: fullName(y), file: `ridelab-${batch.id}-${y.key}`, draw });
   const airborne = useMemo(
     () => points.reduce((sum, { rows }) => sum + rows.filter((row) => isAirborne(columns, row)).length, 0),
     [points, columns],
   );
 
-  const drawn = figure.count;
+  const { count: runs = 0, dots = [] } = drawn?.figure ?? {};
   return (
     <>
       <div className={classes.plot}>
         <Chart
-          hostRef={host}
-          figure={figure}
+          {...chart}
           height={height}
-          points={drawn}
-          label={`${fullName(y)} over ${x.title}, ${drawn} runs. Every value stands in the table below.`}
+          points={runs}
+          label={`${fullName(y)} over ${x.title}, ${runs} runs. Every value stands in the table below.`}
           onPoint={onOpen}
           over={(drawing, width) => (
-            <DotLayer {...{ host, drawing, width, height, onOpen, onNoAxes, textOf }} dots={figure.dots} />
+            <DotLayer {...{ drawing, dots, width, height, onOpen, onNoAxes, textOf }} host={chart.hostRef} />
           )}
         />
-        {drawn === 0 && <Text className={classes.plotEmpty}>{emptyReason(batch, visible.length, columns)}</Text>}
+        {runs === 0 && <Text className={classes.plotEmpty}>{emptyReason(batch, visible.length, columns)}</Text>}
       </div>
       {airborne > 0 && (
         <Text
@@ -128,7 +119,7 @@ export function PointsPlot({
           title={catalogue.events.find(({ key }) => key === "airborne_ms")?.description}
         >
           <Icon name="AlertTriangle" size={13} className={ui.inline} /> {formatWhole(airborne)} of the{" "}
-          {count(drawn, "run")} shown {airborne === 1 ? "is" : "are"} airborne (hollow points): their linear tyre pulls
+          {count(runs, "run")} shown {airborne === 1 ? "is" : "are"} airborne (hollow points): their linear tyre pulls
           on the road, which a real one cannot.
         </Text>
       )}
@@ -140,9 +131,7 @@ export function PointsPlot({
               ? "\u00a0"
               : describeBest(best, { batch, columns, strategies, y })}
         </Text>
-        {drawn > 0 && (
-          <ChartButton title={fullName(y)} file={`ridelab-${batch.id}-${y.key}`} hostRef={host} draw={drawOnPaper} />
-        )}
+        {runs > 0 && button}
       </Group>
     </>
   );

@@ -6,12 +6,11 @@ import type { Link, Batch, SharedView } from "../../api/types";
 import { BATCH, useJob } from "../../jobs/useJob";
 import { markersOf } from "../../plots/markers";
 import { Page } from "../../ui/Page";
-import { useCatalogues, useStrategies } from "../../server/useCatalogues";
+import { useCatalogues } from "../../server/useCatalogues";
 import { BatchResults } from "./SweepResults";
-import { BatchState } from "../../features/sweep/SweepState";
+import { BatchState, SweepList } from "../../features/sweep/SweepState";
 import { SharedNote } from "../../features/share/SharedBanner";
 import { SweepButton } from "../../features/sweep/SweepButton";
-import { SweepList } from "../../features/sweep/SweepList";
 import { titleOf } from "../../features/sweep/table";
 import { useBatchView, useSharedView, type BatchView } from "./view";
 import { ask } from "../../api/http";
@@ -52,9 +51,9 @@ function Sweep({ id, view, onView, link }: Props) {
       above={link && <SharedNote link={link} what="sweep" />}
       tools={<BatchActions batch={batch} view={view} />}
     >
-      <BatchState {...{ batch, connected, left }} form={catalogues.form} readOnly={link !== undefined} />
+      <BatchState {...{ batch, connected, left }} readOnly={link !== undefined} />
       <BatchResults {...{ batch, markers, view }} {...catalogues} strategies={swept} onView={onView} />
-      {!link && <SweepList strategies={catalogues.strategies} current={id} />}
+      {!link && <SweepList current={id} />}
     </Page>
   );
 }
@@ -91,7 +90,6 @@ function toShare({ fields, strategies }: Batch, { x, hidden, ...view }: BatchVie
 
 /** All sweeps there are. */
 export function SweepsPage() {
-  const strategies = useStrategies();
   const lead = (
     <>
       Many variants of one scenario, each under the same strategies. <LabLink size="md">The lab</LabLink> starts one
@@ -100,7 +98,7 @@ export function SweepsPage() {
   );
   return (
     <Page title="Sweeps" lead={lead}>
-      <SweepList strategies={strategies} />
+      <SweepList />
     </Page>
   );
 }

@@ -14,10 +14,9 @@ import {
   rowsOf,
   tableQuery,
   type Columns,
+  useOpenRun,
 } from "../../features/sweep/table";
-import { CAVEAT_COLUMNS, describeRow, fieldTexts } from "./describeRow";
-import { useOpenRun } from "../../features/sweep/useOpenRun";
-import { shownPlot, type SweepParts } from "./shownPlot";
+import { CAVEAT_COLUMNS, describeRow, fieldTexts, shownPlot, type SweepParts } from "./view";
 import { useCatalogue } from "../../server/useCatalogues";
 import { Fault } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";

@@ -16,14 +16,13 @@ import {
   type Cell,
   type Columns,
 } from "../../features/sweep/table";
-import { caveatsOfRow } from "./describeRow";
+import { ResultMark } from "../../features/requirements/RequirementsCard";
+import { caveatsOfRow, type SweepParts } from "./view";
 import { Card } from "../../ui/Card";
 import { DataTable, type Column } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
 import { CaveatMark } from "../../features/tables/ChangeMark";
 import { useCatalogue } from "../../server/useCatalogues";
-import type { SweepParts } from "./shownPlot";
-import { ResultMark } from "../../features/requirements/RequirementsCard";
 
 interface Props extends Pick<
   SweepParts,

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { frontOf } from "./lines";
+import { frontOf } from "./scatter";
 import { coarse, failing, firstFailure, hatched, mapGrid, shareBelow } from "./map";
 import { mapFigure } from "./mapFigure";
 import type { GridTrace } from "../../plots/plotly";

@@ -1,6 +1,7 @@
 /** How a map is drawn: its cells in colours, what is marked in them, and a line at the threshold. */
 
-import { chartLayout, type Palette } from "../../plots/palettes";
+import { chartLayout, pointTrace } from "../../plots/palettes";
+import type { Look } from "../../plots/useChart";
 import type { GridTrace, PlotLayout, PointTrace } from "../../plots/plotly";
 import { humanise } from "../../scenario/schema";
 import { formatExact, titleWithUnit } from "../../units/format";
@@ -8,7 +9,7 @@ import type { AxisOf } from "../../features/sweep/table";
 import type { AxisValue, MapGrid, Marked } from "./map";
 import { isSpreadByRatio } from "./scatter";
 
-export interface MapParts {
+interface MapParts extends Pick<Look, "palette" | "scheme"> {
   readonly grid: MapGrid;
   readonly x: AxisOf;
   readonly y: AxisOf;
@@ -25,8 +26,6 @@ export interface MapParts {
   readonly hatched: Marked;
   /** Cells in which a run fails a requirement. */
   readonly failing: Marked;
-  readonly palette: Palette;
-  readonly scheme: "light" | "dark";
 }
 
 /** Less is better: blue is less than the other, orange is more; the middle is the page's ground. */
@@ -114,17 +113,9 @@ function marks({ grid, hatched, failing, scheme }: MapParts): readonly (GridTrac
     const cells = marked.flatMap((line, i) =>
       line.flatMap((isMarked, j) => (isMarked ? [[xs[j], ys[i]] as const] : [])),
     );
-    const sign: PointTrace = {
-      type: "scatter",
-      mode: "markers",
-      name: "",
-      x: cells.map(([x]) => x ?? 0),
-      y: cells.map(([, y]) => y ?? 0),
-      marker: { symbol, size, line: { width: 2.5 }, color: scheme === "dark" ? "#f1f3f4" : "#101418" },
-      showlegend: false,
-      customdata: [],
-      hoverinfo: "skip",
-    };
+    const place = { x: cells.map(([x]) => x ?? 0), y: cells.map(([, y]) => y ?? 0) };
+    const color = scheme === "dark" ? "#f1f3f4" : "#101418";
+    const sign = pointTrace("", { ...place, symbol, size, line: { width: 2.5 }, color });
     return cells.length > 0 ? [sign] : [];
   };
   return [

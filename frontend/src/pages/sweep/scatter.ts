@@ -1,15 +1,14 @@
-/** What plotly draws of a sweep. */
+/** What plotly draws of a sweep’s runs as points, those that differ in one field alone joined by lines. */
 
 import { spansDecades } from "../../lib/steps";
-import type { Strategy } from "../../api/types";
-import { type Palette, chartLayout } from "../../plots/palettes";
+import type { Strategy, StrategyId } from "../../api/types";
+import { type Palette, chartLayout, lineTrace, pointTrace } from "../../plots/palettes";
 import type { Markers, MarkerSymbol } from "../../plots/markers";
 import type { LineTrace, PlotLayout, PointTrace } from "../../plots/plotly";
 import { humanise } from "../../scenario/schema";
 import { titleWithUnit } from "../../units/format";
-import type { AxisOf, Points } from "../../features/sweep/table";
+import { type AxisOf, type Points, cell, type Columns } from "../../features/sweep/table";
 import { fullName, type Metric } from "../../server/metrics";
-import type { LineEnd, Lines } from "./lines";
 
 interface Input {
   readonly points: readonly Points[];
@@ -35,7 +34,7 @@ interface Input {
   readonly most?: number;
 }
 
-export interface ScatterFigure {
+interface ScatterFigure {
   /** Lines below the points. */
   readonly data: readonly (LineTrace | PointTrace)[];
   readonly layout: PlotLayout;
@@ -104,16 +103,9 @@ function traces({ points, strategies, markers, isHollow, textOf, palette }: Inpu
 function joints({ lines, strategies, curves }: Input): readonly LineTrace[] {
   return lines.map(({ strategy, x, y }): LineTrace => {
     const { label = strategy, colour, dash } = strategyOf(strategies, strategy) ?? {};
-    return {
-      type: "scatter",
-      mode: "lines",
-      name: label,
-      x: x.map((place) => (place === null ? null : named(place))),
-      y,
-      line: { color: colour, dash: curves ? dash : "solid", width: curves ? 1.5 : 1 },
-      opacity: curves ? 1 : 0.6,
-      hoverinfo: "skip",
-    };
+    const place = { x: x.map((at) => (at === null ? null : named(at))), y };
+    const line = { color: colour, dash: curves ? dash : "solid", width: curves ? 1.5 : 1 };
+    return lineTrace(label, { ...place, ...line }, curves ? 1 : 0.6);
   });
 }
 
@@ -126,28 +118,17 @@ function categories(points: readonly Points[]) {
 }
 
 /** Nothing to see, and all that plotly needs to find the axes' ranges: the ends of both, or every name there is. */
-function frame(points: readonly Points[]): readonly PointTrace[] {
-  const lows = points.flatMap(({ y }) => (y.length > 0 ? [y.reduce((low, value) => Math.min(low, value))] : []));
-  const highs = points.flatMap(({ y }) => (y.length > 0 ? [y.reduce((high, value) => Math.max(high, value))] : []));
+function frame(points: readonly Points[]): PointTrace {
+  const ends = (end: (one: number, other: number) => number) =>
+    points.flatMap(({ y }) => (y.length > 0 ? [y.reduce((one, other) => end(one, other))] : []));
   // Rows are in ascending x: the ends are the first and the last.
   const places = points
     .flatMap(({ x }) => (typeof x[0] === "string" ? [...new Set(x)] : [x[0], x.at(-1)]))
     .filter((place) => place !== undefined);
-  const [low, high] = [Math.min(...lows), Math.max(...highs)];
+  const [low, high] = [Math.min(...ends(Math.min)), Math.max(...ends(Math.max))];
   const x = [...places, ...places].map(named);
   const y = [...places.map(() => low), ...places.map(() => high)];
-  return [
-    {
-      type: "scatter",
-      mode: "markers",
-      name: "",
-      x,
-      y,
-      customdata: [],
-      marker: { opacity: 0, size: SIZE },
-      hoverinfo: "skip",
-    },
-  ];
+  return pointTrace("", { x, y, opacity: 0, size: SIZE });
 }
 
 /** Labels this near to each other [part of the y axis] would be one upon the other. */
@@ -171,56 +152,25 @@ function endLabels({ lines, labelOf, curves }: Input): readonly EndLabel[] {
   return spaced;
 }
 
-/** The staircase over the front's members. */
-function staircase({ points, ringed, palette }: Input): readonly LineTrace[] {
+/** Rings around rows, and for a front the staircase over them, which are its members. */
+function rings({ points, ringed, front = false, palette }: Input): readonly (LineTrace | PointTrace)[] {
   const places = new Map(
     points.flatMap(({ rows, x, y }) => rows.map((row, index) => [row, [x[index] ?? 0, y[index] ?? 0]] as const)),
   );
-  const members = ringed.flatMap((row) => (places.has(row) ? [places.get(row) ?? [0, 0]] : []));
-  const [xs, ys] = [members.map(([x = 0]) => x), members.map(([, y = 0]) => y)];
+  const members = ringed.map((row) => places.get(row)).filter((place) => place !== undefined);
+  if (members.length === 0) return [];
+  const place = { x: members.map(([x]) => named(x)), y: members.map(([, y]) => y) };
+  const ring = { size: SIZE + (front ? 6 : 9), symbol: "circle-open", line: { width: 2, color: palette.text } };
   return [
-    {
-      type: "scatter",
-      mode: "lines",
-      name: "Front",
-      x: xs,
-      y: ys,
-      line: { color: palette.text, width: 1.5, shape: "hv" },
-      opacity: 1,
-      hoverinfo: "skip",
-    },
+    ...(front ? [lineTrace("Front", { ...place, color: palette.text, width: 1.5, shape: "hv" })] : []),
+    pointTrace("Lowest", { ...place, color: palette.text, ...ring }),
   ];
 }
 
 export function scatterFigure(input: Input): ScatterFigure {
-  const { points, strategies, markers, isHollow, x, y, ringed, front = false, palette, most = MANY } = input;
+  const { points, strategies, markers, isHollow, x, y, palette, most = MANY } = input;
   const count = points.reduce((sum, { rows }) => sum + rows.length, 0);
   const many = count > most;
-  const data = many ? frame(points) : traces(input);
-  const marker = {
-    color: palette.text,
-    size: SIZE + (front ? 6 : 9),
-    symbol: "circle-open",
-    line: { width: 2, color: palette.text },
-  };
-  const ring = points.flatMap(({ rows, x: xs, y: ys }): PointTrace[] =>
-    rows.flatMap((row, index): PointTrace[] => {
-      const [atX, atY] = [xs[index], ys[index]];
-      if (!ringed.includes(row) || atX === undefined || atY === undefined) return [];
-      return [
-        {
-          type: "scatter",
-          mode: "markers",
-          name: "Lowest",
-          x: [named(atX)],
-          y: [atY],
-          customdata: [row],
-          marker,
-          hoverinfo: "skip",
-        },
-      ];
-    }),
-  );
   const labels = many ? [] : endLabels(input);
   const logarithmic = isSpreadByRatio(points.flatMap(({ x: xs }) => xs));
   return {
@@ -234,7 +184,7 @@ export function scatterFigure(input: Input): ScatterFigure {
           hollow: each.rows.map(isHollow),
         }))
       : [],
-    data: [...(many ? [] : joints(input)), ...(front ? staircase(input) : []), ...data, ...ring],
+    data: [...(many ? [frame(points)] : [...joints(input), ...traces(input)]), ...rings(input)],
     layout: chartLayout(palette, {
       margin: { l: 56, r: 16 + LABEL_PX * Math.max(0, ...labels.map(({ text }) => text.length)), t: 8, b: 52 },
       annotations: labels.map(({ x: atX, y: atY, text }) => ({
@@ -257,4 +207,69 @@ export function scatterFigure(input: Input): ScatterFigure {
       },
     }),
   };
+}
+
+/** A strategy's lines one after the other, with a gap (`null`) between them. */
+interface Lines {
+  readonly strategy: StrategyId;
+  readonly x: readonly (number | string | null)[];
+  readonly y: readonly (number | null)[];
+  /** Where each line ends, and which of the others' values it has. */
+  readonly ends: readonly LineEnd[];
+}
+
+interface LineEnd {
+  readonly x: number | string;
+  readonly y: number;
+  readonly row: number;
+}
+
+/** More lines than these are a tangle. */
+const MOST = 40;
+
+/** Joins the points that are equal in the `others`, the swept fields that are not x; none where there are too many. */
+export function linesOf(columns: Columns, points: readonly Points[], others: readonly string[]): readonly Lines[] {
+  const groups = points.map(({ rows }) => {
+    const groups = new Map<string, number[]>();
+    rows.forEach((row, index) => {
+      const key = JSON.stringify(others.map((name) => cell(columns, name, row)));
+      const group = groups.get(key);
+      if (group) group.push(index);
+      else groups.set(key, [index]);
+    });
+    return [...groups.values()].filter(({ length }) => length >= 2);
+  });
+  const rowsAt = (line: number) => points[line]?.rows ?? [];
+  if (groups.reduce((sum, { length }) => sum + length, 0) > MOST) return [];
+  return points.map(({ strategy, x, y }, line) => ({
+    strategy,
+    x: (groups[line] ?? []).flatMap((group) => [...group.map((index) => x[index] ?? null), null]),
+    y: (groups[line] ?? []).flatMap((group) => [...group.map((index) => y[index] ?? null), null]),
+    ends: (groups[line] ?? []).flatMap((group) => {
+      const index = group.at(-1) ?? 0;
+      const [atX, atY, row] = [x[index], y[index], rowsAt(line)[index]];
+      return atX === undefined || atY === undefined || row === undefined ? [] : [{ x: atX, y: atY, row }];
+    }),
+  }));
+}
+
+interface Member {
+  readonly row: number;
+  readonly x: number;
+  readonly y: number;
+}
+
+/** In ascending x, so in descending y; of runs alike the first. */
+export function frontOf(points: readonly Points[]): readonly Member[] {
+  const all = points.flatMap(({ rows, x, y }) =>
+    rows.map((row, index): Member => ({ row, x: Number(x[index]), y: y[index] ?? NaN })),
+  );
+  let least = Infinity;
+  return all
+    .sort((a, b) => a.x - b.x || a.y - b.y || a.row - b.row)
+    .filter(({ y }) => {
+      if (!(y < least)) return false;
+      least = y;
+      return true;
+    });
 }

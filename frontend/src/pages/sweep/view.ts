@@ -1,10 +1,15 @@
-/** How a sweep is looked at. On its own page the address carries it; a link has its own. */
+/** How a sweep is looked at: on its own page the address carries it, a link has its own; what its plot shows of that, and a run in words. */
 
 import { useNavigate, useSearch } from "@tanstack/react-router";
 import { useState } from "react";
-import type { SharedView, StrategyId } from "../../api/types";
+import { SEED } from "../../scenario/fields";
+import type { SharedView, StrategyId, Batch, Strategy, Catalogue } from "../../api/types";
 import { listOf } from "../../lab/address";
-import { OPENING_METRIC } from "../../server/metrics";
+import { OPENING_METRIC, type Metric, fullName } from "../../server/metrics";
+import { axesOf, type AxisOf, type Columns, cell, REQUIRED, showCell } from "../../features/sweep/table";
+import type { Markers } from "../../plots/markers";
+import { CAVEAT_EVENTS, caveatsOf, type Caveat } from "../../features/tables/change";
+import { formatResult, isNothing, prettyUnit } from "../../units/format";
 
 /** Runs over a field, a metric over two fields, or one metric over another. */
 export type PlotKind = "points" | "map" | "trade_off";
@@ -32,9 +37,7 @@ export interface BatchView {
 /** Compared with nothing; without a line. */
 export const NONE = "none";
 
-export type BatchSearch = Partial<
-  Record<"plot" | "x" | "y" | "hide" | "strategy" | "against" | "at" | "versus", string>
->;
+type BatchSearch = Partial<Record<"plot" | "x" | "y" | "hide" | "strategy" | "against" | "at" | "versus", string>>;
 type Change = (part: Partial<BatchView>) => void;
 
 const kindOf = (text: string | null | undefined): PlotKind | null => PLOT_KINDS.find((kind) => kind === text) ?? null;
@@ -78,4 +81,125 @@ export function useBatchView(): readonly [BatchView, Change] {
 export function useSharedView({ hidden, threshold, ...stated }: SharedView): readonly [BatchView, Change] {
   const [view, setView] = useState(() => viewOf({ ...stated, hide: hidden?.join(","), at: threshold?.toString() }));
   return [view, (part) => setView((before) => ({ ...before, ...part }))];
+}
+
+export interface ShownPlot {
+  readonly kind: PlotKind;
+  /** Two fields are swept, over a grid, on one road or several. */
+  readonly mappable: boolean;
+  /** The fields that it can be over. */
+  readonly axes: readonly AxisOf[];
+  readonly x: AxisOf;
+  /** A map's other field. */
+  readonly other: AxisOf | null;
+  readonly y: Metric;
+  /** The metric across in a trade-off. */
+  readonly versus: Metric;
+  readonly strategy: StrategyId;
+  readonly against: StrategyId | null;
+  readonly threshold: number | null;
+  readonly mapUnit: string;
+}
+
+const PASSIVE = "passive";
+const TRADED = "travel_time";
+
+export function shownPlot(
+  batch: Pick<Batch, "fields" | "sweep">,
+  strategies: readonly Strategy[],
+  figures: readonly Metric[],
+  view: BatchView,
+): ShownPlot | null {
+  const all = axesOf(batch.fields);
+  const varied = all.filter(({ name }) => name !== SEED);
+  const mappable = varied.length === 2 && !batch.sweep.latin_hypercube;
+  const kind =
+    view.plot === null ? (mappable ? "map" : "points") : view.plot === "map" && !mappable ? "points" : view.plot;
+  const axes = kind === "map" ? varied : all;
+  const find = (key: string | null) => figures.find((figure) => figure.key === key);
+  const x = axes.find(({ name }) => name === view.x) ?? axes[0];
+  const y = find(view.y) ?? find(OPENING_METRIC) ?? figures[0];
+  const ids = strategies.map(({ id }) => id);
+  const strategy = ids.find((id) => id === view.strategy) ?? ids[0];
+  if (!x || !y || strategy === undefined) return null;
+  const usual = ids.find((id) => id === PASSIVE && id !== strategy) ?? null;
+  const against = view.against === null ? usual : (ids.find((id) => id === view.against && id !== strategy) ?? null);
+  return {
+    kind,
+    mappable,
+    axes,
+    x,
+    other: axes.find((axis) => axis !== x) ?? null,
+    y,
+    versus: find(view.versus) ?? find(TRADED) ?? y,
+    strategy,
+    against,
+    threshold: view.threshold === NONE ? null : (view.threshold ?? (against === null ? null : 0)),
+    mapUnit: against === null ? y.unit : "%",
+  };
+}
+
+/** What a sweep's page gives its plot and its rows. */
+export interface SweepParts {
+  readonly batch: Batch;
+  readonly columns: Columns;
+  /** The batch's, in the catalogue's order. */
+  readonly strategies: readonly Strategy[];
+  readonly markers: Markers;
+  readonly figures: readonly Metric[];
+  readonly shown: ShownPlot;
+  readonly view: BatchView;
+  /** The row with the lowest value of the plotted metric. */
+  readonly best: number | null;
+  readonly onView: (change: Partial<BatchView>) => void;
+  readonly onOpen: (row: number) => void;
+}
+
+/** What the points and the map share. */
+export interface PlotParts extends Pick<SweepParts, "batch" | "columns" | "strategies" | "shown" | "onOpen"> {
+  readonly height: number;
+  /** What a row says of itself, line by line. */
+  readonly textOf: (row: number) => readonly string[];
+}
+
+const columnOf = (event: string) => `events.${event}`;
+
+/** Asked for with every table, whatever is shown. */
+export const CAVEAT_COLUMNS = CAVEAT_EVENTS.map(columnOf);
+
+export function caveatsOfRow(columns: Columns, row: number, catalogue: Catalogue): readonly Caveat[] {
+  const events = CAVEAT_EVENTS.map((event) => {
+    const value = cell(columns, columnOf(event), row);
+    return [event, typeof value === "number" || typeof value === "boolean" ? value : null] as const;
+  });
+  return caveatsOf(Object.fromEntries(events), catalogue);
+}
+
+export function isAirborne(columns: Columns, row: number): boolean {
+  const value = cell(columns, columnOf("airborne_ms"), row);
+  return typeof value === "number" && !isNothing(value);
+}
+
+/** `Height 0.05 m`, for every swept field. */
+export const fieldTexts = (columns: Columns, row: number, fields: Batch["fields"]): readonly string[] =>
+  fields.map(({ name, title, unit }) => `${title} ${showCell(cell(columns, name, row), unit)}`);
+
+interface Context {
+  readonly columns: Columns;
+  readonly fields: Batch["fields"];
+  readonly strategies: readonly Strategy[];
+  readonly y: Metric;
+  readonly catalogue: Catalogue;
+}
+
+/** The lines of what stands by a point under the pointer. */
+export function describeRow(row: number, { columns, fields, strategies, y, catalogue }: Context): readonly string[] {
+  const value = formatResult(Number(cell(columns, y.key, row)) * y.scale, 4);
+  return [
+    strategies.find(({ id }) => id === cell(columns, "strategy", row))?.label ?? "",
+    ...fieldTexts(columns, row, fields),
+    `${fullName(y)}: ${value} ${prettyUnit(y.unit)}`.trim(),
+    ...(cell(columns, REQUIRED, row) === "fail" ? ["✕ A requirement fails"] : []),
+    ...caveatsOfRow(columns, row, catalogue).map(({ text }) => `⚠ ${text}`),
+  ];
 }

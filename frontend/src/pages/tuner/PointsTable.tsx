@@ -3,13 +3,21 @@
 import { Button, Stack } from "@mantine/core";
 import { Fragment, type ReactNode } from "react";
 import type { Trial, Tuning, Weights } from "../../api/types";
-import { ChangeMark } from "../../features/tables/ChangeMark";
+import { changeAgainst } from "../../features/tables/change";
+import { ValueAndChange } from "../../features/tables/ChangeMark";
 import tables from "../../features/tables/tables.module.css";
 import { dotted } from "../../scenario/fields";
 import { formatResult } from "../../units/format";
-import type { ShownNumber } from "./figures";
-import type { Point, TuningParts } from "./points";
-import { formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
+import {
+  type ShownNumber,
+  type Point,
+  type TuningParts,
+  singlesIn,
+  formatValue,
+  weightAt,
+  type Single,
+  type Tunable,
+} from "./space";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Card } from "../../ui/Card";
 import { NameWithUnit } from "../../ui/StrategyKey";
@@ -46,7 +54,7 @@ const rowsOf = ({ tuning, objectives, limits, tunable }: Parts, weights: Weights
   ...weightRows(tunable, weights, beside),
 ];
 
-export function PointsTable({ points, load, ...parts }: Omit<TuningParts, "colour">) {
+export function PointsTable({ points, load, ...parts }: TuningParts) {
   return (
     <Card aria-label="Best points" title="Best points, on the training roads">
       <DataTable
@@ -96,16 +104,10 @@ const objectiveRows = (objectives: readonly ShownNumber[], tuning: Tuning) =>
     unit,
     attributes: ({ trial }) => ({ "data-cell": `objectives.${index}`, "data-value": trial.values?.[index] ?? "" }),
     cell: ({ trial, isPaper }) => (
-      <>
-        <span className={tables.value}>
-          {trial.values ? formatResult((trial.values[index] ?? NaN) * scale, 4) : "–"}
-        </span>
-        {isPaper ? (
-          <span className={tables.change}>&nbsp;</span>
-        ) : (
-          <ChangeMark value={trial.values?.[index]} baseline={tuning.paper?.values?.[index]} />
-        )}
-      </>
+      <ValueAndChange
+        text={trial.values ? formatResult((trial.values[index] ?? NaN) * scale, 4) : "–"}
+        change={isPaper ? null : changeAgainst(trial.values?.[index], tuning.paper?.values?.[index])}
+      />
     ),
   }));
 

@@ -1,54 +1,54 @@
 /** Puts a tuning together, over those there are. */
 
-import { usePageScenario, type PageScenario } from "../../features/scenarioSource/scenarioSource";
+import { usePageScenario } from "../../features/scenarioSource/scenarioSource";
 import { Page } from "../../ui/Page";
 import ui from "../../ui/ui.module.css";
-import { useNumericCatalogues, ofLimit, ofObjective } from "./figures";
-import type { Strategy, Catalogue, Scenario } from "../../api/types";
+import {
+  useNumericCatalogues,
+  ofLimit,
+  ofObjective,
+  isTunable,
+  numberFields,
+  reads,
+  tunableOf,
+  type TunableNumber,
+} from "./space";
+import type { Scenario } from "../../api/types";
 import type { Metric } from "../../server/metrics";
-import { JobList } from "../../jobs/JobList";
+import { JobList } from "../../jobs/Jobs";
 import { TUNING } from "../../jobs/useJob";
 import { Input, MultiSelect, SegmentedControl, Switch } from "@mantine/core";
 import { useMemo } from "react";
 import { ScenarioChoice } from "../../features/scenarioSource/ScenarioChoice";
-import { optionTitle, type Group } from "../../scenario/schema";
+import { optionTitle } from "../../scenario/schema";
 import { count } from "../../units/format";
 import { firstDraft, rangesFor, restoreTuning, type TuningDraft, readDraft, tuningFieldName } from "./draft";
-import { LimitRows, ObjectiveRows } from "./ObjectiveRows";
-import { RangesTable } from "./RangesTable";
-import { isTunable, numberFields, reads, tunableOf, type TunableNumber } from "./space";
+import { LimitRows, ObjectiveRows, RangesTable } from "./FormRows";
 import { useDraft } from "../../lib/useDraft";
-import { StartFoot } from "../../features/jobForm/StartFoot";
+import { StartFoot, useJobForm } from "../../features/jobForm/jobForm";
 import { Problems, Note } from "../../ui/Messages";
-import { Choice, Entry } from "../../ui/Entry";
+import { Choice, Entry, SCROLLED } from "../../ui/Entry";
 import { ask } from "../../api/http";
 import { withKey } from "../../api/jobs";
-import { useJobForm } from "../../features/jobForm/useJobForm";
 import { submits } from "../../ui/ListEntry";
 import { Columns } from "../../ui/Card";
 
 export function TunerPage() {
-  const catalogues = useNumericCatalogues();
-  const source = usePageScenario();
   const lead =
     "Searches the weights of a strategy that minimise an objective on a few training roads: the paper’s normalised sum (Eq. 16), peaks, or any figure, within limits. Several objectives give a Pareto front. The paper’s weights are the first trial. At the end the best ones are compared with them on validation roads: this shows weights that fit only the training roads.";
   return (
     <Page title="Weight tuner" lead={lead}>
       <div className={ui.beside}>
-        <NewTuning {...catalogues} source={source} />
-        <TuningList {...catalogues} />
+        <NewTuning />
+        <TuningList />
       </div>
     </Page>
   );
 }
 
-interface Props {
-  readonly strategies: readonly Strategy[];
-  readonly figures: readonly Metric[];
-}
-
 /** The tunings there are. */
-function TuningList({ strategies, figures }: Props) {
+function TuningList() {
+  const { strategies, figures } = useNumericCatalogues();
   return (
     <JobList
       kind={TUNING}
@@ -65,15 +65,6 @@ function TuningList({ strategies, figures }: Props) {
   );
 }
 
-interface NewTuningProps {
-  readonly form: Group;
-  readonly catalogue: Catalogue;
-  readonly strategies: readonly Strategy[];
-  /** Those that are numbers. */
-  readonly figures: readonly Metric[];
-  readonly source: PageScenario;
-}
-
 /** What an objective comes to over the roads. */
 const QUANTILES = [
   { value: "", label: "the mean over the training roads" },
@@ -81,19 +72,20 @@ const QUANTILES = [
   { value: "1", label: "the worst training road" },
 ];
 
-function NewTuning({ form, catalogue, strategies, figures, source }: NewTuningProps) {
+function NewTuning() {
+  const { form, catalogue, strategies, figures } = useNumericCatalogues();
+  const source = usePageScenario();
   const stored = useDraft<TuningDraft>({
     name: "tuning",
     initial: () => firstDraft(form),
     restore: (texts) => restoreTuning(texts, form),
   });
-  const { setDraft } = stored;
   // A controller of one's own may have gone, or have other options, since somebody chose it.
   const draft = isTunable(form, stored.draft.strategy)
     ? { ...stored.draft, ranges: { ...rangesFor(form, stored.draft.strategy), ...stored.draft.ranges } }
     : firstDraft(form);
   const strategy = strategies.find(({ id }) => id === draft.strategy);
-  const patch = (change: Partial<TuningDraft>) => setDraft({ ...draft, ...change });
+  const patch = (change: Partial<TuningDraft>) => stored.patch({ ...draft, ...change });
   const tunable = useMemo(() => tunableOf(form, draft.strategy), [form, draft.strategy]);
   const numbers = useMemo(() => numberFields(tunable).filter(({ name }) => reads(strategy, name)), [tunable, strategy]);
   const submission = useNewTuning(draft, numbers, figures, source.scenario, stored.forget);
@@ -116,11 +108,10 @@ function NewTuning({ form, catalogue, strategies, figures, source }: NewTuningPr
   return (
     <form className={ui.card} aria-label="New tuning" onSubmit={submits(() => submission.start())}>
       <Part title="What is tuned">
-        <ScenarioChoice source={source} form={form} />
+        <ScenarioChoice source={source} />
         <Input.Wrapper size="xs" label="Strategy" labelElement="div" labelProps={{ mr: "xs" }}>
           <SegmentedControl
-            maw="100%"
-            style={{ overflowX: "auto" }}
+            {...SCROLLED}
             aria-label="Strategy"
             value={draft.strategy}
             data={strategies.flatMap(({ id, label }) => (isTunable(form, id) ? [{ value: id, label }] : []))}
@@ -234,8 +225,8 @@ function useNewTuning(
   const parsed = useMemo(() => readDraft(draft, numbers, figures), [draft, numbers, figures]);
   return useJobForm({
     kind: "tuning",
-    body: parsed.ok && scenario ? { scenario, ...parsed.body } : null,
-    errors: parsed.ok ? null : parsed.errors,
+    parsed,
+    bodyOf: (choice) => (scenario ? { scenario, ...choice } : null),
     fieldNameOf: tuningFieldName,
     estimate: (body, signal) => ask("post", "/tunings", { body: { ...body, dry_run: true } }, signal),
     onSubmitted,

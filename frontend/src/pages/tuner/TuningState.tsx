@@ -4,17 +4,15 @@ import { Button, Group } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { ask } from "../../api/http";
-import type { Strategy, Tuning } from "../../api/types";
-import type { Metric } from "../../server/metrics";
-import { otherThanPaper } from "../../features/scenarioSource/otherThanPaper";
-import { optionTitle, type Group as Form } from "../../scenario/schema";
-import { isFinal } from "../../jobs/follow";
-import { JobState } from "../../jobs/JobState";
-import { BATCH, jobQuery, TUNING, useJobCall } from "../../jobs/useJob";
-import { formatDuration, formatMinute } from "../../units/dates";
+import type { Tuning } from "../../api/types";
+import { otherThanPaper } from "../../features/scenarioSource/ScenarioChoice";
+import { optionTitle } from "../../scenario/schema";
+import { jobQuery, isFinal, BATCH, TUNING, useJobCall } from "../../jobs/useJob";
+import { historyOf, JobState } from "../../jobs/Jobs";
+import { useCatalogues } from "../../server/useCatalogues";
 import { count, formatExact, formatWhole, parseInput } from "../../units/format";
-import { ofLimit, ofObjective } from "./figures";
-import { formatSeeds } from "./seeds";
+import { ofLimit, ofObjective } from "./space";
+import { formatSeeds } from "./draft";
 import classes from "./tuner.module.css";
 import { Entry } from "../../ui/Entry";
 import ui from "../../ui/ui.module.css";
@@ -23,16 +21,13 @@ import { submits } from "../../ui/ListEntry";
 
 interface Props {
   readonly tuning: Tuning;
-  readonly form: Form;
-  readonly strategies: readonly Strategy[];
-  readonly figures: readonly Metric[];
   readonly connected: boolean;
   readonly left: number | null;
 }
 
 const STATE = { running: "Searching", cancelled: "Cancelled; complete generations are kept" };
 
-export function TuningState({ tuning, form, strategies, figures, connected, left }: Props) {
+export function TuningState({ tuning, connected, left }: Props) {
   const { total, done, failed, feasible } = tuning.trials;
   const comparing = tuning.state === "running" && tuning.step === "comparison";
   const counts = (
@@ -40,7 +35,6 @@ export function TuningState({ tuning, form, strategies, figures, connected, left
       {formatWhole(done + failed)} of {count(total, "trial")}
       {failed > 0 && <span className={ui.error}>, {formatWhole(failed)} failed</span>}
       {tuning.limits.length > 0 && `, ${formatWhole(feasible)} within the limits`}
-      {left !== null && !comparing && ` · about ${formatDuration(left)} left`}
     </>
   );
   return (
@@ -50,9 +44,10 @@ export function TuningState({ tuning, form, strategies, figures, connected, left
       texts={comparing ? { running: "Comparing on the roads" } : STATE}
       resume={<Resume key={tuning.state} tuning={tuning} />}
       {...{ counts, connected }}
+      left={comparing ? null : left}
     >
       {!isFinal(tuning) && <Within tuning={tuning} comparing={comparing} />}
-      <Facts {...{ tuning, form, strategies, figures }} />
+      <Facts tuning={tuning} />
     </JobState>
   );
 }
@@ -115,7 +110,8 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
   );
 }
 
-function Facts({ tuning, form, strategies, figures }: Pick<Props, "tuning" | "form" | "strategies" | "figures">) {
+function Facts({ tuning }: Pick<Props, "tuning">) {
+  const { form, strategies, figures } = useCatalogues();
   const {
     scenario,
     search,
@@ -126,8 +122,6 @@ function Facts({ tuning, form, strategies, figures }: Pick<Props, "tuning" | "fo
     fresh_seeds: validation,
     limits,
     objectives,
-    started_at: started,
-    finished_at: finished,
   } = tuning;
   const own = (name: string) => name.replace(/\.\d+$/, "");
   const limit = limits.map((each) => {
@@ -169,14 +163,7 @@ function Facts({ tuning, form, strategies, figures }: Pick<Props, "tuning" | "fo
           ] as const,
         ]),
     ["Scenario", otherThanPaper(scenario, form, Object.keys(search).map(own))],
-    [
-      "Submitted",
-      [
-        formatMinute(tuning.created_at),
-        ...(started && finished ? [`took ${formatDuration((Date.parse(finished) - Date.parse(started)) / 1000)}`] : []),
-        `core ${tuning.core_version}`,
-      ].join(" · "),
-    ],
+    ["Submitted", historyOf(tuning)],
   ];
   return (
     <dl className={ui.facts}>

@@ -4,14 +4,12 @@ import { Group, Skeleton, Stack, Text } from "@mantine/core";
 import type { ReactNode } from "react";
 import { Icon, type IconName } from "../../ui/icons";
 import type { ComparedPoint, TunedFigure, Tuning, Comparison } from "../../api/types";
-import { isFinal } from "../../jobs/follow";
+import { isFinal } from "../../jobs/useJob";
 import type { Metric } from "../../server/metrics";
 import { formatPercent } from "../../features/tables/change";
 import tables from "../../features/tables/tables.module.css";
 import { formatResult } from "../../units/format";
-import { ofKey, type ShownNumber } from "./figures";
-import { firstTrial } from "./space";
-import { firstName, roleName, type TuningParts } from "./points";
+import { ofKey, type ShownNumber, roleName, type TuningParts, firstTrial } from "./space";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { LimitValue } from "./PointsTable";
 import { Card } from "../../ui/Card";
@@ -49,7 +47,6 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
       </Card>
     );
   }
-  const labels = objectives.map(({ label }) => label);
   const gains = gainsOf(comparison, objectives.length);
   const nameOf = (key: string) => ofKey(key, tuning, figures).label;
   return (
@@ -62,7 +59,7 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
           <GainLine
             key={gain.objective}
             gain={gain}
-            label={labels.length > 1 ? (labels[gain.objective] ?? "") : ""}
+            label={objectives.length > 1 ? (objectives[gain.objective]?.label ?? "") : ""}
             price={priceText(gain, nameOf)}
           />
         ))}
@@ -91,7 +88,7 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
           ...comparison.points.flatMap((point) =>
             columnsOf(
               point,
-              `${point.roles.map((role) => roleName(role, labels, firstName(tuning))).join(", ")} · trial ${point.trial}`,
+              `${point.roles.map((role) => roleName(role, objectives, tuning)).join(", ")} · trial ${point.trial}`,
             ),
           ),
         ]}

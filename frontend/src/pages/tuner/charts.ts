@@ -1,18 +1,24 @@
 /** What plotly draws of a tuning: trials in the plane of two objectives, or one objective over the trials. */
 
-import type { Generation, Trial } from "../../api/types";
+import type { Generation, StrategyId, Trial } from "../../api/types";
 import type { ChartFigure } from "../../plots/Chart";
-import { type Palette, chartLayout, referenceLine } from "../../plots/palettes";
-import type { LineTrace, PointTrace } from "../../plots/plotly";
+import type { Look } from "../../plots/useChart";
+import { type Palette, chartLayout, lineTrace, referenceLine } from "../../plots/palettes";
+import type { PointTrace } from "../../plots/plotly";
 import { formatResult, prettyUnit, titleWithUnit } from "../../units/format";
 import { humanise } from "../../scenario/schema";
-import type { ShownNumber } from "./figures";
+import type { ShownNumber } from "./space";
 
-export interface Look {
+interface Colours {
   readonly palette: Palette;
   /** The tuned strategy's. */
   readonly colour: string;
 }
+
+export const coloursOf = ({ palette, strategies }: Look, tuned: StrategyId): Colours => ({
+  palette,
+  colour: strategies.find(({ id }) => id === tuned)?.colour ?? "currentColor",
+});
 
 const axisTitle = ({ label, unit }: ShownNumber) => titleWithUnit(label, unit);
 
@@ -35,7 +41,7 @@ interface Named {
   readonly name: string;
 }
 
-interface Input extends Look {
+interface Input extends Colours {
   readonly trials: readonly Trial[];
   readonly picked: number | null;
 }
@@ -101,16 +107,8 @@ function pointsBy(
 }
 
 /** A staircase. */
-const steps = (name: string, x: readonly number[], y: readonly number[], color: string, width: number): LineTrace => ({
-  type: "scatter",
-  mode: "lines",
-  name,
-  opacity: 1,
-  hoverinfo: "skip",
-  x,
-  y,
-  line: { color, width, shape: "hv" },
-});
+const steps = (name: string, x: readonly number[], y: readonly number[], color: string, width: number) =>
+  lineTrace(name, { x, y, color, width, shape: "hv" });
 
 export function frontFigure(input: FrontInput): SearchFigure {
   const { front, named, x, y, objectives, palette, colour } = input;
@@ -221,7 +219,7 @@ export function historyFigure(input: HistoryInput): SearchFigure {
 }
 
 /** Several objectives: how much of the box under the paper's weights the front has taken. */
-export function volumeFigure(history: readonly Generation[], { palette, colour }: Look): ChartFigure {
+export function volumeFigure(history: readonly Generation[], { palette, colour }: Colours): ChartFigure {
   const driven = history.flatMap(({ trials, hypervolume }) =>
     hypervolume === null ? [] : [{ trials, hypervolume: 100 * hypervolume }],
   );

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Metric } from "../../server/metrics";
-import { problemsByField } from "../../features/jobForm/problems";
+import { problemsByField } from "../../features/jobForm/jobForm";
 import { rangesFor, readDraft, restoreTuning, objectiveOf, tuningFieldName, type TuningDraft } from "./draft";
 import { readSchema } from "../../scenario/schema";
 import { withFields } from "../../scenario/fields";
@@ -76,7 +76,7 @@ describe("a draft of a tuning", () => {
     const parsed = read({ ranges: { "mpc.expected_noise": { on: true, from: "0.5", to: "0,2 cm" } } });
     expect(parsed.ok && parsed.body.search).toEqual({ "mpc.expected_noise": [0.0005, 0.002] });
     expect(errorsOf({ ranges: { "mpc.expected_noise": { on: true, from: "1", to: "101" } } })).toEqual({
-      "search.mpc.expected_noise": "Must be above 0 and at most 100\u00a0mm",
+      "search.mpc.expected_noise": "To: must be above 0 and at most 100\u00a0mm",
     });
     const noise = NUMBERS.find(({ name }) => name === "mpc.expected_noise");
     expect(

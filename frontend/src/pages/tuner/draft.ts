@@ -2,13 +2,19 @@
 
 import type { StrategyId, TuningChoice } from "../../api/types";
 import type { Metric } from "../../server/metrics";
-import { NO_RANGE, parseTyped, typedText } from "../../scenario/limits";
+import { typedText } from "../../scenario/limits";
 import type { Group } from "../../scenario/schema";
 import { isLike } from "../../lib/storage";
-import type { DraftErrors, FieldNameOf } from "../../features/jobForm/problems";
+import {
+  readForm,
+  readRange,
+  readWhole,
+  type FieldNameOf,
+  type Parsed,
+  type Put,
+} from "../../features/jobForm/jobForm";
 import { formatInput, parseInput } from "../../units/format";
 import { parseQuantity } from "../../units/quantity";
-import { readSeeds } from "./seeds";
 import { isTunable, numberFields, tunableOf, type TunableNumber } from "./space";
 import { OWN } from "../../scenario/differences";
 
@@ -53,11 +59,6 @@ export interface TuningDraft {
   readonly population: string;
   readonly seed: string;
 }
-
-/** Errors by field: `objectives.0`, `limits.1`, `search.mpc.stage_weights.bump.0`, `seeds`, `trials`, … */
-export type ParsedDraft =
-  | { readonly ok: true; readonly body: TuningChoice }
-  | { readonly ok: false; readonly errors: DraftErrors };
 
 const PLAIN = ["previews", "quantile", "seeds", "fresh_seeds", "trials", "population", "seed", "strategy"];
 
@@ -125,28 +126,13 @@ export function restoreTuning(stored: unknown, form: Group): TuningDraft | null 
   return stored;
 }
 
-type Put = (field: string, message: string) => void;
-
-function number(text: string, low: number, high: number, put: () => void): number {
-  const value = parseInput(text);
-  if (value === null || value < low || value > high) put();
-  return value ?? low;
-}
-
-function whole(text: string, low: number, high: number, field: string, put: Put): number {
-  const refuse = () => put(field, `A whole number from ${low} to ${high}`);
-  const value = number(text, low, high, refuse);
-  if (!Number.isInteger(value)) refuse();
-  return value;
-}
-
 function objectives({ objectives: drafts }: TuningDraft, put: Put): NonNullable<TuningChoice["objectives"]> {
   if (drafts.length === 0) put("objectives", "Add an objective");
   return drafts.map(({ kind, q, window, figure }, index) => {
     if (kind === "figure") return { kind, figure };
-    const coefficients = q.map((text) =>
-      number(text, 0, 1000, () => put(`objectives.${index}`, "Each coefficient is a number from 0 to 1000")),
-    );
+    const coefficients = q.map((text) => parseInput(text) ?? NaN);
+    if (!coefficients.every((value) => value >= 0 && value <= 1000))
+      put(`objectives.${index}`, "Each coefficient is a number from 0 to 1000");
     if (coefficients.every((value) => value === 0))
       put(`objectives.${index}`, "At least one coefficient must be greater than 0");
     const [first = 0, second = 0, third = 0] = coefficients;
@@ -178,16 +164,10 @@ function search(
   });
   if (searched.length === 0) put("search", "Choose at least one");
   return Object.fromEntries(
-    searched.map(({ name, field, range }) => {
-      const end = (text: string) => {
-        const parsed = parseTyped(field, text);
-        if (!parsed.ok) put(`search.${name}`, parsed.message);
-        return parsed.ok ? parsed.value : NaN;
-      };
-      const ends = [end(range.from), end(range.to)] as const;
-      if (ends[0] >= ends[1]) put(`search.${name}`, NO_RANGE);
-      return [name, ends];
-    }),
+    searched.map(({ name, field, range }) => [
+      name,
+      readRange(field, range, (message) => put(`search.${name}`, message)),
+    ]),
   );
 }
 
@@ -198,34 +178,69 @@ function roads(text: string, field: string, least: number, put: Put): readonly n
   return parsed.ok ? parsed.seeds : [];
 }
 
-/** What is sent, or what has to be changed first. */
-export function readDraft(
+/** Errors by field: `objectives.0`, `limits.1`, `search.mpc.stage_weights.bump.0`, `seeds`, `trials`, … */
+export const readDraft = (
   draft: TuningDraft,
   numbers: readonly TunableNumber[],
   figures: readonly Metric[],
-): ParsedDraft {
-  const errors: Record<string, string> = {};
-  const put: Put = (field, message) => void (errors[field] ??= message);
-  const seeds = roads(draft.seeds, "seeds", 1, put);
-  const validation = roads(draft.validationSeeds, "fresh_seeds", 2, put);
-  if (validation.some((seed) => seeds.includes(seed)))
-    put("fresh_seeds", "A validation road must not be a training road");
-  const body: TuningChoice = {
-    strategy: draft.strategy,
-    objectives: objectives(draft, put),
-    limits: limits(draft, figures, put),
-    search: search(draft, numbers, put),
-    ...(draft.previews.length > 1 ? { previews: draft.previews } : {}),
-    ...(draft.uncertain ? { uncertain: true } : {}),
-    ...(draft.quantile === "" ? {} : { quantile: Number(draft.quantile) }),
-    seeds,
-    fresh_seeds: validation,
-    trials: whole(draft.trials, 1, MOST_TRIALS, "trials", put),
-    population: whole(draft.population, 1, MOST_POPULATION, "population", put),
-    seed: whole(draft.seed, 0, 2 ** 32 - 1, "seed", put),
-  };
-  return Object.keys(errors).length > 0 ? { ok: false, errors } : { ok: true, body };
-}
+): Parsed<TuningChoice> =>
+  readForm((put) => {
+    const seeds = roads(draft.seeds, "seeds", 1, put);
+    const validation = roads(draft.validationSeeds, "fresh_seeds", 2, put);
+    if (validation.some((seed) => seeds.includes(seed)))
+      put("fresh_seeds", "A validation road must not be a training road");
+    const whole = (key: "trials" | "population" | "seed", what: string, least: number, most: number) =>
+      readWhole(draft[key], [least, most], (message) => put(key, message), what);
+    return {
+      strategy: draft.strategy,
+      objectives: objectives(draft, put),
+      limits: limits(draft, figures, put),
+      search: search(draft, numbers, put),
+      ...(draft.previews.length > 1 ? { previews: draft.previews } : {}),
+      ...(draft.uncertain ? { uncertain: true } : {}),
+      ...(draft.quantile === "" ? {} : { quantile: Number(draft.quantile) }),
+      seeds,
+      fresh_seeds: validation,
+      trials: whole("trials", "Trials", 1, MOST_TRIALS),
+      population: whole("population", "Population size", 1, MOST_POPULATION),
+      seed: whole("seed", "Search seed", 0, LARGEST_SEED),
+    };
+  });
 
 /** A limit starts at what the figure may not exceed by its own sense: nothing. */
 export const limitOf = (figure: string): LimitDraft => ({ figure, atMost: formatInput(0) });
+
+type Seeds =
+  | { readonly ok: true; readonly seeds: readonly number[] }
+  | { readonly ok: false; readonly message: string };
+
+const LARGEST_SEED = 2 ** 32 - 1;
+
+export function readSeeds(text: string, most: number): Seeds {
+  const parts = text.split(/[,;\s]+/).filter((part) => part !== "");
+  if (parts.length === 0) return { ok: false, message: "Needs at least one road" };
+  const seeds = new Set<number>();
+  for (const part of parts) {
+    const [, first, last] = /^(\d+)(?:[-–](\d+))?$/.exec(part) ?? [];
+    const [from, to] = [Number(first), Number(last ?? first)];
+    if (first === undefined || from > LARGEST_SEED || to > LARGEST_SEED)
+      return { ok: false, message: `Not a seed: ${part}. Whole numbers and ranges, such as 1-4, 7` };
+    if (to < from) return { ok: false, message: `${part} runs backwards` };
+    if (to - from >= most) return { ok: false, message: `At most ${most} roads` };
+    for (let seed = from; seed <= to; seed += 1) seeds.add(seed);
+  }
+  return seeds.size > most ? { ok: false, message: `At most ${most} roads` } : { ok: true, seeds: [...seeds] };
+}
+
+/** Neighbours as a range: `1-4, 7`. */
+export function formatSeeds(seeds: readonly number[]): string {
+  const parts: string[] = [];
+  for (let start = 0; start < seeds.length;) {
+    let end = start;
+    while (seeds[end + 1] === (seeds[end] ?? NaN) + 1) end += 1;
+    const [first, last] = [String(seeds[start]), String(seeds[end])];
+    parts.push(...(end - start >= 2 ? [`${first}-${last}`] : end > start ? [first, last] : [first]));
+    start = end + 1;
+  }
+  return parts.join(", ");
+}

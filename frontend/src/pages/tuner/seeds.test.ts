@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { formatSeeds, readSeeds } from "./seeds";
+import { formatSeeds, readSeeds } from "./draft";
 
 describe("seeds as typed", () => {
   it.each([

@@ -1,6 +1,6 @@
-/** What of a strategy can be tuned, as backend/tunings/space.py has it; names, units and limits are the form's. */
+/** What of a strategy can be tuned, as backend/tunings/space.py has it, the points a tuning is about, and what its numbers are called. */
 
-import type { Scenario, Strategy, StrategyId, Tuning, Weights } from "../../api/types";
+import type { Scenario, Strategy, StrategyId, Tuning, Weights, Trial, Limit, Objective } from "../../api/types";
 import { getAt, type Pointer } from "../../scenario/path";
 import {
   findMember,
@@ -14,6 +14,10 @@ import { dotted, pointerOf } from "../../scenario/fields";
 import { typedText, valueText } from "../../scenario/limits";
 import { titleWithUnit } from "../../units/format";
 import { OWN } from "../../scenario/differences";
+import type { RunInLab } from "../../ui/openInLab";
+import { useMemo } from "react";
+import { fullName, type Metric } from "../../server/metrics";
+import { useCatalogues, type Catalogues } from "../../server/useCatalogues";
 
 interface Space {
   readonly triples: readonly Pointer[];
@@ -161,3 +165,90 @@ export const ownText = (scenario: Scenario, { name, field }: TunableNumber): str
   const value = getAt(scenario, pointerOf(name)) ?? field.paperValue; // an option that nobody set has its default
   return typeof value === "number" ? valueText(field, value) : "as it is";
 };
+
+export interface Point {
+  readonly trial: Trial;
+  /** `Paper`, `Best: Eq. 16, whole run`, `Balanced`, all that it is. */
+  readonly names: readonly string[];
+  readonly isPaper: boolean;
+}
+
+/** One entry a trial, whatever it is at once; the paper's first. */
+export function pointsOf(tuning: Tuning, objectives: readonly ShownNumber[]): readonly Point[] {
+  const { paper, own, best, knee } = tuning;
+  const roles: readonly (readonly [Trial | null, string])[] = [
+    [paper, "paper"],
+    [own, "scenario"],
+    ...best.map((trial, index) => [trial, `best.${index}`] as const),
+    [knee, "knee"],
+  ];
+  const points = new Map<number, Point>();
+  for (const [trial, role] of roles) {
+    if (!trial) continue;
+    const names = [...(points.get(trial.number)?.names ?? []), roleName(role, objectives, tuning)];
+    points.set(trial.number, { trial, names, isPaper: trial.number === paper?.number });
+  }
+  return [...points.values()];
+}
+
+/** What a role of the comparison is called. */
+export function roleName(role: string, objectives: readonly ShownNumber[], { source }: Pick<Tuning, "source">): string {
+  if (role === "paper") return source === null ? "The paper’s" : "The defaults";
+  if (role === "scenario") return "The scenario’s";
+  if (role === "knee") return "Balanced";
+  const [, index] = /^best\.(\d+)$/.exec(role) ?? [];
+  return objectives.length > 1 && index !== undefined ? `Best: ${objectives[Number(index)]?.label ?? ""}` : "Best";
+}
+
+/** What a tuning's page gives its cards. */
+export interface TuningParts {
+  readonly tuning: Tuning;
+  readonly objectives: readonly ShownNumber[];
+  readonly limits: readonly ShownNumber[];
+  readonly tunable: Tunable;
+  readonly points: readonly Point[];
+  readonly load: RunInLab<Trial>;
+}
+
+export interface ShownNumber {
+  readonly label: string;
+  readonly unit: string;
+  /** From SI to `unit`. */
+  readonly scale: number;
+}
+
+const ofFigure = (name: string, figures: readonly Metric[]): ShownNumber | null => {
+  const figure = figures.find(({ key }) => key === name);
+  return figure ? { label: fullName(figure), unit: figure.unit, scale: figure.scale } : null;
+};
+
+export function ofObjective({ figure, label, unit }: Objective, figures: readonly Metric[]): ShownNumber {
+  return (figure === null ? null : ofFigure(figure, figures)) ?? { label, unit, scale: 1 };
+}
+
+export function ofLimit({ figure, label, unit }: Limit, figures: readonly Metric[]): ShownNumber {
+  return ofFigure(figure, figures) ?? { label, unit, scale: 1 };
+}
+
+/** A column of the comparison: `objectives.0`, `limits.1`, or a figure's name. */
+export function ofKey(
+  key: string,
+  { objectives, limits }: Pick<Tuning, "objectives" | "limits">,
+  figures: readonly Metric[],
+): ShownNumber {
+  const [, list, index] = /^(objectives|limits)\.(\d+)$/.exec(key) ?? [];
+  const objective = list === "objectives" ? objectives[Number(index)] : undefined;
+  const limit = list === "limits" ? limits[Number(index)] : undefined;
+  if (objective) return ofObjective(objective, figures);
+  if (limit) return ofLimit(limit, figures);
+  return ofFigure(key, figures) ?? { label: key, unit: "1", scale: 1 };
+}
+
+/** What the tuner's pages need of the server: as figures only those that are numbers. */
+export function useNumericCatalogues(): Catalogues {
+  const catalogues = useCatalogues();
+  return useMemo(
+    () => ({ ...catalogues, figures: catalogues.figures.filter(({ key }) => key !== "events.target_reached") }),
+    [catalogues],
+  );
+}

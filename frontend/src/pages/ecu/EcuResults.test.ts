@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Summary } from "../../api/types";
-import { conclusionOf, rowsOf } from "./EcuTable";
+import { conclusionOf, rowsOf } from "./EcuResults";
 
 /** Only what the rule reads. */
 const summary = (rms: number, peak: number) =>
@@ -9,7 +9,7 @@ const summary = (rms: number, peak: number) =>
 describe("the ±8 % rule", () => {
   it("reads RMS on the rough road and peaks on the bump", () => {
     const rows = rowsOf({ paper_signals: ["a"] }, { lv: summary(2, 4), lv_hil: summary(2.1, 3), lqr: summary(5, 6) });
-    expect(rows.map(({ key, lv, hil, lqr }) => [key, lv, hil, lqr])).toEqual([
+    expect(rows.map(({ key, values: { lv, lv_hil, lqr } }) => [key, lv, lv_hil, lqr])).toEqual([
       ["rough_road.a.rms", 2, 2.1, 5],
       ["bump.a.peak", 4, 3, 6],
     ]);

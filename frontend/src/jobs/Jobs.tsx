@@ -1,20 +1,121 @@
-/** The jobs of a kind there are, the newest first: opened, renamed, deleted. */
+/** How far a job is, and a list of those there are. */
 
-import { Box, Button, Group, Skeleton, Text, Menu } from "@mantine/core";
+import { Button, Group, Progress, Text, Box, Skeleton, Menu } from "@mantine/core";
+import { type ReactNode, useState } from "react";
+import { count, formatWhole } from "../units/format";
+import { isFinal, useJobCall, type Common, type JobStatus, type JobKind, type JobPath } from "./useJob";
+import { compact } from "../ui/IconButton";
+import { Icon } from "../ui/icons";
+import ui from "../ui/ui.module.css";
+import { Fault, Note } from "../ui/Messages";
+import { Card } from "../ui/Card";
 import { useInfiniteQuery, useMutation, useQueryClient } from "@tanstack/react-query";
 import { Link } from "@tanstack/react-router";
-import { useState } from "react";
-import { isFinal } from "./follow";
-import type { Common, JobKind, JobPath } from "./useJob";
-import { Fault } from "../ui/Messages";
-import ui from "../ui/ui.module.css";
-import { Card } from "../ui/Card";
 import { MoreMenu, NameForm } from "../ui/ListEntry";
-import { formatMinute } from "../units/dates";
-import { count, formatWhole } from "../units/format";
-import { waitsFor } from "./JobState";
+import type { Batch, Tuning } from "../api/types";
+import { formatDuration, formatMinute } from "../units/dates";
 
-interface Props<Item extends Common, Job extends Item> {
+interface Props<Item extends Common, Job extends Item> extends Pick<JobStatus<Job>, "connected"> {
+  readonly kind: JobKind<Item, Job>;
+  readonly job: Job;
+  /** In place of the state's own words. */
+  readonly texts?: Partial<Record<Common["state"], string>>;
+  readonly counts: ReactNode;
+  /** Seconds, `null` while unknown. */
+  readonly left: number | null;
+  /** Continues one that has ended. */
+  readonly resume?: ReactNode;
+  readonly readOnly?: boolean;
+  /** What it is about. */
+  readonly children: ReactNode;
+}
+
+const STATE: Readonly<Record<Common["state"], string>> = {
+  queued: "Waiting for its turn",
+  running: "Running",
+  done: "Done",
+  cancelled: "Cancelled; finished runs are kept",
+  failed: "Failed",
+};
+
+/** To the form that starts another one. */
+export const NewJob = ({ to, label }: { readonly to: "/tuner" | "/robustness"; readonly label: string }) => (
+  <Button
+    aria-label={label}
+    classNames={compact}
+    leftSection={<Icon name="Plus" size={15} />}
+    renderRoot={(props) => <Link to={to} {...props} />}
+  >
+    {label}
+  </Button>
+);
+
+/** `12 runs before it`, empty where nothing is. */
+const waitsFor = ({ position }: Pick<Common, "position">) =>
+  position > 0 ? `${count(position, "run")} before it` : "";
+
+export function JobState<Item extends Common, Job extends Item>({
+  kind,
+  job,
+  texts,
+  counts,
+  left,
+  resume,
+  connected,
+  readOnly = false,
+  children,
+}: Props<Item, Job>) {
+  const cancel = useJobCall(kind, job.id, () => kind.calls.cancel(job.id));
+  const { done, failed, total } = kind.counts(job);
+  const ended = isFinal(job);
+  const waits = job.state === "queued" ? waitsFor(job) : "";
+  return (
+    <Card className={ui.part} aria-label="Progress" data-state={job.state}>
+      <Group gap="0.3rem 0.9rem" mih={30}>
+        <Text fw={650} role="status" data-testid={`${kind.name}-state`}>
+          {texts?.[job.state] ?? STATE[job.state]}
+          {waits && `, ${waits}`}
+          {job.reason !== null && `: ${job.reason}`}
+        </Text>
+        <Text flex="1 1 12rem" c="dimmed" data-testid={`${kind.name}-counts`}>
+          {counts}
+          {left !== null && !ended && ` · about ${formatDuration(left)} left`}
+        </Text>
+        {readOnly ? null : ended ? (
+          resume
+        ) : (
+          <Button loading={cancel.isPending} onClick={() => cancel.mutate(undefined)}>
+            Cancel
+          </Button>
+        )}
+      </Group>
+      <Progress.Root size={8} transitionDuration={200}>
+        <Progress.Section
+          value={total === 0 ? 0 : (100 * (done + failed)) / total}
+          color={job.state === "failed" ? "red" : job.state === "cancelled" ? "var(--faint)" : "var(--accent)"}
+          aria-label={`Finished ${kind.unit}s`}
+        />
+      </Progress.Root>
+      {!connected && !ended && (
+        <Note role="status">The connection is interrupted; the numbers are updated when it is back.</Note>
+      )}
+      {cancel.isError && <Fault>It could not be cancelled: {cancel.error.message}</Fault>}
+      {children}
+    </Card>
+  );
+}
+
+/** `1 January, 12:00 · took 3 min · core 0.4.0`. */
+export const historyOf = ({ created_at, started_at: started, finished_at: finished, core_version }: Batch | Tuning) =>
+  [
+    formatMinute(created_at),
+    ...(started !== null && finished !== null
+      ? [`took ${formatDuration((Date.parse(finished) - Date.parse(started)) / 1000)}`]
+      : []),
+    `core ${core_version}`,
+  ].join(" · ");
+
+interface ListProps<Item extends Common, Job extends Item> {
   readonly kind: JobKind<Item, Job>;
   readonly title: string;
   readonly describe: (item: Item) => Description;
@@ -36,7 +137,7 @@ export function JobList<Item extends Common, Job extends Item>({
   none,
   current,
   label,
-}: Props<Item, Job>) {
+}: ListProps<Item, Job>) {
   const { data, error, hasNextPage, isFetchingNextPage, fetchNextPage } = useInfiniteQuery({
     queryKey: [kind.name, "list", label ?? null],
     queryFn: ({ pageParam, signal }) =>
@@ -101,14 +202,6 @@ interface JobEntryProps<Item extends Common, Job extends Item> {
   readonly current: boolean;
 }
 
-const STATE: Readonly<Record<Common["state"], string>> = {
-  queued: "waiting",
-  running: "running",
-  done: "done",
-  cancelled: "cancelled",
-  failed: "failed",
-};
-
 /** One job of a list. */
 function JobEntry<Item extends Common, Job extends Item>({
   kind,
@@ -125,14 +218,13 @@ function JobEntry<Item extends Common, Job extends Item>({
     formatMinute(item.created_at),
     count(total, kind.unit),
   ];
-  const close = () => setOpenForm(null);
   return (
     <li className={ui.item} data-state={item.state} aria-current={current || undefined}>
       <Link to={page ?? kind.page} params={{ id: item.id }}>
         <span className={ui.itemTitle}>{name}</span>
         <span className={`${ui.dim} ${item.state === "failed" ? ui.error : ""}`}>
           {[
-            STATE[item.state] +
+            (item.state === "queued" ? "waiting" : item.state) +
               (item.state === "done" ? "" : `, ${formatWhole(done + failed)} of ${formatWhole(total)}`),
             ...(item.position > 0 ? [waitsFor(item)] : []),
           ].join(" · ")}
@@ -145,8 +237,8 @@ function JobEntry<Item extends Common, Job extends Item>({
           {isFinal(item) ? "Delete" : "Delete (cancel it first)"}
         </Menu.Item>
       </MoreMenu>
-      {openForm === "name" && <Rename {...{ kind, item }} onClose={close} />}
-      {openForm === "delete" && <Delete {...{ kind, item, name }} onClose={close} />}
+      {openForm === "name" && <Rename {...{ kind, item }} onClose={() => setOpenForm(null)} />}
+      {openForm === "delete" && <Delete {...{ kind, item, name }} onClose={() => setOpenForm(null)} />}
     </li>
   );
 }

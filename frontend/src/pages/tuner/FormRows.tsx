@@ -1,9 +1,9 @@
-/** What is minimised: up to three objectives. */
+/** What is minimised, within which limits, and what is searched from where to where. */
 
-import { Group } from "@mantine/core";
-import type { Catalogue } from "../../api/types";
-import { fullName, type Metric, optionsOf } from "../../server/metrics";
-import type { DraftErrors } from "../../features/jobForm/problems";
+import { Group, Box, Checkbox } from "@mantine/core";
+import type { Catalogue, Scenario } from "../../api/types";
+import { optionsOf, fullName, type Metric } from "../../server/metrics";
+import type { DraftErrors } from "../../features/jobForm/jobForm";
 import { prettyUnit } from "../../units/format";
 import {
   MOST_OBJECTIVES,
@@ -13,10 +13,13 @@ import {
   limitOf,
   MOST_LIMITS,
   type LimitDraft,
+  type RangeDraft,
 } from "./draft";
 import classes from "./tuner.module.css";
 import ui from "../../ui/ui.module.css";
 import { Choice, Entry, EntryRow, Finder } from "../../ui/Entry";
+import { ownText, type Tunable, type TunableNumber } from "./space";
+import { Fault } from "../../ui/Messages";
 
 interface Props {
   readonly objectives: readonly ObjectiveDraft[];
@@ -125,7 +128,7 @@ interface FigureSelectProps {
 }
 
 /** Finds a metric of a run by its name. */
-export function FigureSelect({ figures, first = [], ...props }: FigureSelectProps) {
+function FigureSelect({ figures, first = [], ...props }: FigureSelectProps) {
   const data = [
     ...(first.length > 0 ? [{ group: "Sums over the passive car’s", items: [...first] }] : []),
     ...optionsOf(figures),
@@ -190,6 +193,108 @@ export function LimitRows({ limits, figures, errors, onChange }: LimitRowsProps)
           onPick={(key) => onChange([...limits, limitOf(key)])}
         />
       )}
+    </div>
+  );
+}
+
+interface RangesProps {
+  readonly tunable: Tunable;
+  /** Its numbers. */
+  readonly fields: readonly TunableNumber[];
+  readonly scenario: Scenario | undefined;
+  readonly ranges: Readonly<Record<string, RangeDraft>>;
+  readonly errors: DraftErrors;
+  readonly onChange: (name: string, change: Partial<RangeDraft>) => void;
+}
+
+export function RangesTable({ tunable, fields, scenario, ranges, errors, onChange }: RangesProps) {
+  const rows = [...new Set(fields.map(({ row }) => row))];
+  const titles = tunable.triples[0]?.items.map(({ title }) => title) ?? [];
+  const wrong = fields.find(({ name }) => errors[`search.${name}`] !== undefined);
+  const message = wrong
+    ? `${wrong.row}${wrong.single ? "" : `, ${wrong.field.title}`}: ${errors[`search.${wrong.name}`] ?? ""}`
+    : errors.search;
+  return (
+    <>
+      <div className={classes.ranges}>
+        {titles.length > 0 && <span />}
+        {titles.map((title) => (
+          <span key={title} className={classes.rangeTitle} aria-hidden>
+            {title}
+          </span>
+        ))}
+        {rows.map((row) => (
+          <div key={row} className={classes.rangeRow} role="group" aria-label={row}>
+            <Box component="span" fz="sm" fw={550}>
+              {row}
+            </Box>
+            {fields
+              .filter((each) => each.row === row)
+              .map((each) => (
+                <Range
+                  key={each.name}
+                  label={each.single ? row : `${row}, ${each.field.title}`}
+                  range={ranges[each.name]}
+                  own={scenario ? ownText(scenario, each) : "as it is"}
+                  wrong={errors[`search.${each.name}`] !== undefined}
+                  title={each.single ? "" : each.field.title}
+                  onChange={(change) => onChange(each.name, change)}
+                />
+              ))}
+          </div>
+        ))}
+      </div>
+      {message !== undefined && <Fault>{message}</Fault>}
+    </>
+  );
+}
+
+interface RangeProps {
+  readonly label: string;
+  /** Stands above it where there is no room for columns. */
+  readonly title: string;
+  readonly range: RangeDraft | undefined;
+  /** The scenario's value. */
+  readonly own: string;
+  readonly wrong: boolean;
+  readonly onChange: (change: Partial<RangeDraft>) => void;
+}
+
+function Range({ label, title, range, own, wrong, onChange }: RangeProps) {
+  if (!range) return null;
+  const end = (key: "from" | "to") => (
+    <Entry
+      flex="0 1 4.2rem"
+      miw="3rem"
+      aria-label={`${label}, ${key}`}
+      value={range[key]}
+      error={wrong}
+      onType={(text) => onChange({ [key]: text })}
+    />
+  );
+  return (
+    <div className={classes.range}>
+      <span className={classes.rangeNarrow} aria-hidden>
+        {title}
+      </span>
+      <Group component="span" gap="0.4rem" wrap="nowrap" mih={30}>
+        <Checkbox
+          aria-label={`Tune ${label}`}
+          checked={range.on}
+          onChange={(event) => onChange({ on: event.currentTarget.checked })}
+        />
+        {range.on ? (
+          <>
+            {end("from")}
+            <span className={ui.dim} aria-hidden>
+              –
+            </span>
+            {end("to")}
+          </>
+        ) : (
+          <span className={ui.dim}>stays {own}</span>
+        )}
+      </Group>
     </div>
   );
 }
