@@ -112,17 +112,6 @@ ShownStrategy = Annotated[
 SignalName = Annotated[str, AfterValidator(_check_signal), Field(json_schema_extra={"enum": list(SIGNALS)})]
 MetricName = Annotated[str, AfterValidator(_check_metric), Field(json_schema_extra={"enum": list(NUMBERS)})]
 Points = Annotated[int, Field(ge=2, le=MAX_LIVE_POINTS, description="About how many samples; peaks survive.")]
-Finite = Annotated[float, Field(allow_inf_nan=False)]
-
-
-def _ascending(ends: tuple[float, float]) -> tuple[float, float]:
-    if ends[0] >= ends[1]:
-        raise PydanticCustomError("not_ascending", "The first end has to be less than the second")
-    return ends
-
-
-# strict=False on the tuple alone: JSON has arrays only. The numbers inside stay strict.
-Stretch = Annotated[tuple[Finite, Finite], Field(strict=False), AfterValidator(_ascending)]
 
 
 def _seeds_exist(roads: int, info: ValidationInfo) -> int:
@@ -153,10 +142,9 @@ class LiveRequest(StrategiesRequest):
 
     points: Points = DEFAULT_POINTS
     signals: list[SignalName] | None = Field(None, description="Time and position always come; none is all.")
-    part: Literal["bump"] | Stretch | None = Field(
+    part: Literal["bump"] | None = Field(
         None,
-        description="Samples of this part of the road and a few beside it alone: from where to where the front axle "
-        "is [m], or the bump with some road around it; null is all of it.",
+        description="Samples of the bump and some road around it alone; null is the whole road.",
     )
     encoding: Literal["base64", "binary"] = Field(
         "base64",

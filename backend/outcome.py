@@ -20,20 +20,17 @@ OBJECTS = 1500  # what an outcome's own objects take, and a cache's entry [bytes
 JSON_OPTIONS = orjson.OPT_SERIALIZE_NUMPY
 
 
-Part = tuple[float, float] | Literal["bump"] | None
-
-
 @dataclass(frozen=True, slots=True)
 class Sampling:
     """Which samples of a run's time histories are wanted, the same ones of all signals.
 
     Attributes:
         points: About how many.
-        part: From where to where the front axle is [m]; `bump` is with some road around it, None is the whole road.
+        part: `bump` is the bump with some road around it, None is the whole road.
     """
 
     points: int
-    part: Part = None
+    part: Literal["bump"] | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

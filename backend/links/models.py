@@ -16,7 +16,7 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from backend.batches.models import Batch
-from backend.models import Answer, Finite, RequestModel, StrategyId, Stretch, inconsistent
+from backend.models import Answer, RequestModel, StrategyId, inconsistent
 from backend.plain_text import PlainText
 from backend.requirements import Requirement, Requirements
 from backend.runs.models import Run
@@ -28,8 +28,15 @@ SLUG_PATTERN = "^[A-Za-z0-9_-]{22}$"
 
 MAX_PINS = 8
 
+Finite = Annotated[float, Field(allow_inf_nan=False)]
 Names = Annotated[list[StrategyId], Field(max_length=32)]  # as many as a run may have
 Id = Annotated[str, Field(pattern=SLUG_PATTERN)]
+
+
+def _ascending(ends: tuple[float, float]) -> tuple[float, float]:
+    if ends[0] >= ends[1]:
+        raise PydanticCustomError("not_ascending", "The first end has to be less than the second")
+    return ends
 
 
 def _check_column(name: str) -> str:
@@ -80,7 +87,10 @@ class LinkView(RequestModel):
     hidden: Names | None = Field(None, description="Of those shown, the ones switched off in the plots.")
     baseline: StrategyId | None = Field(None, description="What changes in % are against.")
     axis: Literal["distance", "time"] | None = Field(None, description="What is on the x axis.")
-    zoom: Stretch | None = Field(None, description="Range of the x axis, [m] or [s]; null is all.")
+    # strict=False on the tuple alone: JSON has arrays only. The numbers inside stay strict.
+    zoom: Annotated[tuple[Finite, Finite], Field(strict=False), AfterValidator(_ascending)] | None = Field(
+        None, description="Range of the x axis, [m] or [s]; null is all."
+    )
     cursor: Finite | None = Field(None, description="Place on the x axis, [m] or [s]; null is none.")
     pins: Annotated[list[LinkPin], Field(max_length=MAX_PINS)] | None = Field(
         None, description="Of a run only: runs it is compared with. The link keeps them as it keeps its own."

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from backend.cost.estimate import duration, samples
 from backend.csv_lines import MAX_LINES
 from backend.json_types import JsonObject
-from backend.outcome import Part, Sampling
+from backend.outcome import Sampling
 from sim_core import Scenario, StrategyResult
 from sim_core.catalogue import BUMP, SIGNALS
 from sim_core.kernel.binding import sample_marker
@@ -39,7 +39,7 @@ def ordered_signals(signals: Iterable[str] | None) -> list[str]:
 
 def pack(result: StrategyResult, sampling: Sampling | None = None) -> SeriesArray:
     """A result's time histories as one array; those samples, or all."""
-    series = result.series if sampling is None else _part(result, sampling.part)
+    series = result.series if sampling is None or sampling.part is None else _on_bump(result)
     count = len(series["time"])
     if sampling is None or sampling.points >= count:
         array = np.empty((len(SIGNALS), count), dtype=np.float32)
@@ -52,16 +52,14 @@ def pack(result: StrategyResult, sampling: Sampling | None = None) -> SeriesArra
     return np.array([series.at(key, shown) for key in SIGNALS], dtype=np.float32)
 
 
-def _part(result: StrategyResult, part: Part) -> Series:
-    """The time histories of a part of the road, as `Sampling` has it; lines lead to one sample more on either side."""
-    if part == "bump":
-        bumps = (span for span in result.stages if span.stage == BUMP)
-        part = next((around(span.start_position, span.end_position) for span in bumps), None)
-    if part is None:
-        return result.series
-    position = result.series["position"]
-    first, last = np.searchsorted(position, part).tolist()
-    return result.series.of_commands(max(0, first - 1), min(len(position), last + 1))
+def _on_bump(result: StrategyResult) -> Series:
+    """The time histories around the bump, if there is one; lines lead to a sample more on either side."""
+    for span in result.stages:
+        if span.stage == BUMP:
+            position = result.series["position"]
+            first, last = np.searchsorted(position, around(span.start_position, span.end_position)).tolist()
+            return result.series.of_commands(max(0, first - 1), min(len(position), last + 1))
+    return result.series
 
 
 def around(start: float, end: float) -> tuple[float, float]:

@@ -926,10 +926,7 @@ export interface components {
         readonly LiveRequest: {
             /** @enum {string} */
             readonly encoding?: "base64" | "binary";
-            readonly part?: "bump" | readonly [
-                number,
-                number
-            ] | null;
+            readonly part?: "bump" | null;
             readonly points?: number;
             readonly scenario?: JsonObject;
             readonly signals?: readonly string[] | null;

@@ -7,15 +7,16 @@ import { isRecording } from "../lib/recording";
 import { createLatest } from "../lib/latest";
 import { NO_ERRORS, refusal } from "./problems";
 import { ALL_POINTS } from "../server/queries";
-import { axisKey } from "./resultView";
+import { cursor } from "./cursor";
+import { axisKey, bumpRange } from "./resultView";
 import { fromLive, type Result } from "./result";
 import { createAtom, type Atom } from "@tanstack/react-store";
 import { createTimer, type Timer } from "../lib/timer";
 import { withoutGone } from "../scenario/differences";
 
 /** Samples of a curve in a panel, some 400 px wide; half of a whole drive's lie on the bump. */
-const IN_SIGHT_POINTS = 200;
-const POINTS = 2 * IN_SIGHT_POINTS;
+const BUMP_POINTS = 200;
+const POINTS = 2 * BUMP_POINTS;
 const POINTS_MOST = 2500;
 
 /** So often what is read follows a moving slider [ms]: each answer is followed by the curves in sight alone. */
@@ -66,11 +67,14 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
     return Math.round(Math.min(POINTS_MOST, (2 * POINTS) / Math.max(part, 0.01)));
   };
 
-  /** What the panels show alone: a third of the work. On the time axis strategies meet the bump at different times. */
+  /** The bump alone where nothing else is shown, which is a third less work: on the time axis each strategy has its own. */
   const partInSight = (): Pick<LiveRequest, "part" | "points"> => {
     const { zoom, axis, differences } = labAddress.get().view;
-    if (differences || axis === "time" || zoom === "whole") return { points: points() };
-    return { part: zoom === null ? "bump" : [...zoom], points: IN_SIGHT_POINTS };
+    const at = cursor.get("distance");
+    const { summaries = {} } = newest.get() ?? {};
+    const [from, to] = bumpRange(summaries, Object.keys(summaries), "distance") ?? [0, 0];
+    const isBumpAlone = zoom === null && axis === "distance" && !differences && (at === null || (at > from && at < to));
+    return isBumpAlone ? { part: "bump", points: BUMP_POINTS } : { points: points() };
   };
 
   const answered = createAtom<Result | null>(null);

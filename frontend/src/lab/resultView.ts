@@ -115,11 +115,11 @@ function rangeOf(zoom: ViewZoom, bump: Zoom | null, whole: Zoom): Zoom {
 /** Parts of the bump's length that are shown before and behind it. */
 const [BEFORE, BEHIND] = [0.6, 0.9];
 
-function bumpRange(
+export function bumpRange(
   summaries: ResultView["summaries"],
   ids: readonly StrategyId[],
   axis: Axis,
-  whole: Zoom,
+  [first, last]: Zoom = [-Infinity, Infinity],
 ): Zoom | null {
   const spans = ids.flatMap((id) => summaries[id]?.stages.find(({ stage }) => stage === "bump") ?? []);
   if (spans.length === 0) return null;
@@ -128,5 +128,5 @@ function bumpRange(
   );
   const low = Math.min(...ends.map(([start = 0]) => start));
   const high = Math.max(...ends.map(([, end = 0]) => end));
-  return [Math.max(whole[0], low - BEFORE * (high - low)), Math.min(whole[1], high + BEHIND * (high - low))];
+  return [Math.max(first, low - BEFORE * (high - low)), Math.min(last, high + BEHIND * (high - low))];
 }

@@ -56,7 +56,7 @@ class SolvedCar:
         assert road is not None
         assert recorder is not None
         self._vehicle, self._estimator, self._recorder, self._dampers = vehicle, estimator, recorder, dampers
-        self._fine, self._h = fine, fine_step
+        self.fine, self._h = fine, fine_step
         self._braking: list[float] = braking.tolist()
         self._corner = 2 * np.pi * (actuator.bandwidth or 0.0)
         self._states = 10 if self._corner else 8
@@ -107,13 +107,13 @@ class SolvedCar:
         state, command = loop[step, : self.size], loop[step + 1, self.size :]
         x, samples = [*state[-self._states :].tolist(), *command.tolist()][:10], self._recorder.samples
         self._command: list[float] = command.tolist()
-        for j in range(self._fine):
-            self._begin(step * self._fine + j)
+        for j in range(self.fine):
+            self._begin(step * self.fine + j)
             samples[j] = self._signals(0.0, x)
             end = self._solver.set_initial_value(x, 0.0).integrate(self._h).tolist()
             assert self._solver.successful()
             x = [*end[:2], end[2] - self._risen[0][-1], end[3] - self._risen[1][-1], *end[4:]]
-        samples[self._fine] = self._signals(self._h, end)
+        samples[self.fine] = self._signals(self._h, end)
         if step >= self._recorder.first:
             self._recorder.record(step)
         reached = np.array(x[: self._states])
