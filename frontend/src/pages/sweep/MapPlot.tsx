@@ -9,7 +9,7 @@ import { fullName } from "../../server/metrics";
 import { formatPercent } from "../../features/tables/change";
 import { isRandom, oneRoadNoiseOf } from "../../features/tables/entries";
 import { metricPath } from "../../lab/metricPath";
-import { coarse, failing, firstFailure, hatched, mapGrid, shareBelow, type MapGrid } from "./map";
+import { coarse, failing, firstFailure, hatched, lacksStops, mapGrid, shareBelow, type MapGrid } from "./map";
 import { fieldTexts, type PlotParts } from "./view";
 import { isFinal } from "../../jobs/useJob";
 import type { Columns } from "../../features/sweep/table";
@@ -46,7 +46,7 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
       textOf: (row: number, value: number, half: number) => [
         ...textOf(row),
         ...(against !== null
-          ? [`${formatPercent(value, half)} against ${otherLabel}`]
+          ? [`${ofMean ? "Mean of the roads: " : ""}${formatPercent(value, half)} against ${otherLabel}`]
           : ofMean
             ? [`Mean of the roads: ${formatResult(value)} ${prettyUnit(mapUnit)}`]
             : []),
@@ -97,6 +97,7 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
           {colours}
           {roads > 1 && `, mean of ${roads} roads`}. {sentence}
           {hatched(grid, columns).flat().includes(true) && " Strokes: a tyre was in the air or a bump stop was hit."}
+          {lacksStops(columns) && " These runs were stored before bump stops were recorded: strokes show tyres alone."}
           {first !== null &&
             ` Crosses: a requirement fails, first at ${fieldTexts(columns, first, batch.fields).join(", ")}.`}
           {grid.unsettled.flat().includes(true) &&

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { frontOf } from "./scatter";
-import { coarse, failing, firstFailure, hatched, mapGrid, shareBelow } from "./map";
+import { coarse, failing, firstFailure, hatched, lacksStops, mapGrid, shareBelow } from "./map";
 import { mapFigure } from "./mapFigure";
 import type { GridTrace } from "../../plots/plotly";
 import type { Columns } from "../../features/sweep/table";
@@ -133,6 +133,12 @@ describe("a map", () => {
     ]);
   });
 
+  it("says of runs stored before bump stops were recorded that they were", () => {
+    const done = { ...COLUMNS, status: COLUMNS.run?.map(() => "ok") ?? [] };
+    const stops = { "events.stop_contact_ms": COLUMNS.run?.map(() => 0) ?? [] };
+    expect([lacksStops(done), lacksStops({ ...done, ...stops })]).toEqual([true, false]);
+  });
+
   it("needs a grid: scattered points have none", () => {
     const many = Array.from({ length: 50 }, (_, index) => index);
     expect(
@@ -172,12 +178,14 @@ describe("a map", () => {
     expect([change?.zmin, change?.zmax]).toEqual([-30, 30]);
     const marked = { hatched: [[false], [true, false]], grid: { ...grid, unsettled: [[true, false], [false]] } };
     const coming = { coarse: [[null], [null, 30]] };
-    const { data } = mapFigure({ ...rest, ...marked, ...coming, difference: true, threshold: null });
+    const { data, layout } = mapFigure({ ...rest, ...marked, ...coming, difference: true, threshold: null });
     expect(data.slice(1)).toEqual([
       expect.objectContaining({ type: "heatmap", z: [[null], [null, 30]], zmin: -30, zmax: 30 }),
       expect.objectContaining({ type: "heatmap", z: [[1, null], [null]] }),
-      expect.objectContaining({ mode: "markers", x: [5], y: [40] }),
     ]);
+    // The cell of 5 and 40 reaches from 2.5 to 7.5 and from 30 to 50.
+    const path = "M 2.5,40 L 5,50 M 2.5,30 L 7.5,50 M 5,30 L 7.5,40";
+    expect(layout.shapes).toEqual([expect.objectContaining({ type: "path", path })]);
   });
 });
 

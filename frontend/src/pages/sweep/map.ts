@@ -2,7 +2,7 @@
 
 import type { StrategyId } from "../../api/types";
 import { changeAgainst } from "../../features/tables/change";
-import { cell, REQUIRED, type Columns } from "../../features/sweep/table";
+import { cell, REQUIRED, rowsOf, type Columns } from "../../features/sweep/table";
 import { mean, pairedChangeOf } from "../../lib/intervals";
 import { SEED } from "../../scenario/fields";
 
@@ -24,7 +24,13 @@ export interface MapGrid {
 export type Marked = readonly (readonly boolean[])[];
 
 /** Events beyond the linear model. */
-const BEYOND_LINEAR = ["events.airborne_ms", "events.stop_contact_ms"];
+const STOPS = "events.stop_contact_ms";
+const BEYOND_LINEAR = ["events.airborne_ms", STOPS];
+
+/** Runs stored before bump stops were recorded say nothing of them. */
+export const lacksStops = (columns: Columns): boolean =>
+  rowsOf(columns, (row) => cell(columns, "status", row) === "ok" && typeof cell(columns, STOPS, row) !== "number")
+    .length > 0;
 
 /** Where that is so in one of the runs, cell by cell. */
 const marked = ({ rows }: MapGrid, isSo: (row: number) => boolean): Marked =>

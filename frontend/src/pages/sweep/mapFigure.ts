@@ -88,8 +88,10 @@ const [USUAL_WIDTH, USUAL_HEIGHT] = [700, 340]; // of all cells together [px]
 
 const GROUND = { light: "#ffffff", dark: "#1a1b1e" } as const;
 
-/** Over the cells: a veil where the change may be luck, strokes where a tyre was in the air or a stop was hit, crosses where a requirement fails. */
-function marks({ grid, hatched, failing, scheme }: MapParts): readonly (GridTrace | PointTrace)[] {
+const INK = { light: "#101418", dark: "#f1f3f4" } as const;
+
+/** Over the cells: a veil where the change may be luck, crosses where a requirement fails. */
+function marks({ grid, failing, scheme }: MapParts): readonly (GridTrace | PointTrace)[] {
   const [xs, ys] = [grid.xs.map(named), grid.ys.map(named)];
   const veil: GridTrace = {
     type: "heatmap",
@@ -109,20 +111,45 @@ function marks({ grid, hatched, failing, scheme }: MapParts): readonly (GridTrac
   };
   // As large as most of a cell allows: where there are few, small ones are lost in them.
   const size = Math.max(14, Math.min(48, 0.6 * Math.min(USUAL_WIDTH / xs.length, USUAL_HEIGHT / ys.length)));
-  const signs = (marked: Marked, symbol: string): readonly PointTrace[] => {
-    const cells = marked.flatMap((line, i) =>
-      line.flatMap((isMarked, j) => (isMarked ? [[xs[j], ys[i]] as const] : [])),
-    );
-    const place = { x: cells.map(([x]) => x ?? 0), y: cells.map(([, y]) => y ?? 0) };
-    const color = scheme === "dark" ? "#f1f3f4" : "#101418";
-    const sign = pointTrace("", { ...place, symbol, size, line: { width: 2.5 }, color });
-    return cells.length > 0 ? [sign] : [];
+  const crossed = failing.flatMap((line, i) =>
+    line.flatMap((isMarked, j) => (isMarked ? [[xs[j], ys[i]] as const] : [])),
+  );
+  const place = { x: crossed.map(([x]) => x ?? 0), y: crossed.map(([, y]) => y ?? 0) };
+  const crosses = pointTrace("", { ...place, symbol: "x-thin-open", size, line: { width: 2.5 }, color: INK[scheme] });
+  return [...(grid.unsettled.flat().includes(true) ? [veil] : []), ...(crossed.length > 0 ? [crosses] : [])];
+}
+
+/** From a share of the i-th cell to the axis: a cell ends midway to the next value, names stand one apart. */
+function cellScale(values: readonly AxisValue[]): (index: number, share: number) => number {
+  const isLog = isSpreadByRatio(values);
+  const at = values.map((value, index) => (typeof value === "string" ? index : isLog ? Math.log(value) : value));
+  const gap = (index: number) => (at[index + 1] ?? 0) - (at[index] ?? 0);
+  return (index, share) => {
+    const below = gap(Math.max(0, index - 1)) / 2;
+    const above = gap(Math.min(index, at.length - 2)) / 2;
+    const position = (at[index] ?? 0) - below + share * (below + above);
+    return isLog ? Math.exp(position) : position;
   };
-  return [
-    ...(grid.unsettled.flat().includes(true) ? [veil] : []),
-    ...signs(hatched, "line-ne-open"),
-    ...signs(failing, "x-thin-open"),
-  ];
+}
+
+/** Of a cell, from its lower left corner. */
+const STROKES = [
+  [0, 0.5, 0.5, 1],
+  [0, 0, 1, 1],
+  [0.5, 0, 1, 0.5],
+] as const;
+
+/** Where a tyre was in the air or a stop was hit; the strokes of all cells are one shape. */
+function hatch({ grid, hatched, scheme }: MapParts): PlotLayout["shapes"] {
+  const [toX, toY] = [cellScale(grid.xs), cellScale(grid.ys)];
+  const path = hatched.flatMap((line, i) =>
+    line.flatMap((isMarked, j) =>
+      isMarked ? STROKES.map(([x0, y0, x1, y1]) => `M ${toX(j, x0)},${toY(i, y0)} L ${toX(j, x1)},${toY(i, y1)}`) : [],
+    ),
+  );
+  return path.length === 0
+    ? []
+    : [{ type: "path", path: path.join(" "), line: { color: INK[scheme], width: 1.2 }, opacity: 0.75 }];
 }
 
 export function mapFigure(input: MapParts): {
@@ -172,6 +199,7 @@ export function mapFigure(input: MapParts): {
       uirevision: `${x.name} ${y.name}`,
       xaxis: axis(x, grid.xs),
       yaxis: axis(y, grid.ys),
+      shapes: hatch(input),
     }),
   };
 }
