@@ -75,6 +75,10 @@ export const Results = memo(function Results({ strategies, resultView }: Props) 
   );
 });
 
+/** How high they will be [px], by the window's width: texts and tools wrap, and from `sm` on the form stands beside them. */
+const CONCLUSION = { base: 111, xs: 76, sm: 111, md: 76, lg: 60 };
+const CAR = { base: 168, sm: 206, lg: 168 };
+
 interface PartProps {
   readonly resultView: ResultView;
 }
@@ -82,7 +86,7 @@ interface PartProps {
 const Conclusion = memo(function Conclusion({ resultView }: PartProps) {
   return (
     <>
-      <LazyPart fallback={<Skeleton h={60} radius={8} />}>
+      <LazyPart fallback={<Skeleton h={CONCLUSION} radius={8} />}>
         <VerdictLine resultView={simulatedPart(resultView)} />
         <ChangeChips resultView={simulatedPart(resultView)} />
       </LazyPart>
@@ -102,7 +106,7 @@ const CarOnRoad = memo(function CarOnRoad({
 }: PartProps & { readonly road: FigureTemplate | undefined }) {
   return (
     <>
-      <LazyPart fallback={<Skeleton h={167} radius={8} />}>
+      <LazyPart fallback={<Skeleton h={CAR} radius={8} />}>
         <CarView resultView={simulatedPart(resultView)} />
       </LazyPart>
       {road && <RoadStrip template={road} resultView={resultView} />}
