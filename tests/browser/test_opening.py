@@ -11,6 +11,10 @@ def expect_steady(dashboard: Dashboard, width: int, height: int) -> None:
     dashboard.page.goto("/")
     expect(dashboard.results).to_be_visible()
     expect(dashboard.page.locator("section[data-figure]").first).to_be_attached()
+    # What comes last.
+    for part in (dashboard.page.get_by_test_id("verdict"), dashboard.page.get_by_role("group", name="Strategies")):
+        expect(part).to_be_visible()
+    expect(dashboard.page.get_by_role("region", name="The moving car")).to_be_visible()
     shift = dashboard.page.evaluate(
         """() => new Promise(done => {
           const told = new PerformanceObserver(list =>
