@@ -23,7 +23,6 @@ import { StartFoot, useJobForm } from "../../features/jobForm/jobForm";
 import { StrategyChoice, CubeEntries, amountOf, notesOf, sweepFieldName } from "../../features/sweep/sweepForm";
 import { prettyUnit } from "../../units/format";
 import { draftStudy, exactText, restoreStudy, type RangeDraft, type StudyDraft, readStudy } from "./study";
-import classes from "./robustness.module.css";
 import ui from "../../ui/ui.module.css";
 import { useDraft } from "../../lib/useDraft";
 import { Entry } from "../../ui/Entry";
@@ -177,9 +176,17 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
     />
   );
   return (
-    <div className={classes.range} data-off={!on || undefined} data-field={field.name}>
+    <Group
+      gap="0 0.8rem"
+      mih="3.1rem"
+      py="0.2rem"
+      style={UNDERLINED}
+
+      data-field={field.name}
+    >
       <Switch
         size="xs"
+        flex="1 1 12rem"
         checked={on}
         onChange={(event) => onChange({ on: event.currentTarget.checked })}
         label={
@@ -193,7 +200,7 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
           </>
         }
       />
-      <Group gap="0.4rem" wrap="nowrap" m={{ base: "0.3rem 0 0 2.6rem", xs: 0 }}>
+      <Group gap="0.4rem" wrap="nowrap" ml="auto">
         {on ? (
           <>
             {end("from", from)}
@@ -209,10 +216,16 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
           </Box>
         )}
       </Group>
-      {error !== undefined && <Fault id={`${id}-error`}>{error}</Fault>}
-    </div>
+      {error !== undefined && (
+        <Fault id={`${id}-error`} w="100%" pb="0.4rem">
+          {error}
+        </Fault>
+      )}
+    </Group>
   );
 }
+
+const UNDERLINED = { borderBottom: "1px solid var(--line)" };
 
 /** Fields whose own title says too little outside their part of the form. */
 function titleOf(name: string, title: string): string {

@@ -1,6 +1,6 @@
 /** What a study says: who keeps the lead, how far every figure spreads, what is stable, what it depends on. */
 
-import { Text, Alert, Box } from "@mantine/core";
+import { Text, Alert, Box, Progress } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useNavigate, useSearch } from "@tanstack/react-router";
 import { useMemo } from "react";
@@ -18,7 +18,6 @@ import ui from "../../ui/ui.module.css";
 import { Icon } from "../../ui/icons";
 import { formatPercent } from "../../features/tables/change";
 import { StrategyName } from "../../ui/StrategyKey";
-import classes from "./robustness.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Choice, labelled } from "../../ui/Entry";
 import { Card } from "../../ui/Card";
@@ -190,9 +189,9 @@ function Lead({ summary, margin }: { readonly summary: BatchSummary; readonly ma
       <Box component="span" display="block" fw={650}>
         {whole(worse)}
       </Box>
-      <span className={classes.shareBar} aria-hidden>
-        <span style={{ width: `${100 * worse}%` }} />
-      </span>
+      <Progress.Root size={5} m="2px 0 3px" bg="color-mix(in srgb, var(--worse) 45%, transparent)" aria-hidden>
+        <Progress.Section withAria={false} value={100 * worse} color="var(--accent)" />
+      </Progress.Root>
       <span className={ui.under}>
         {plain(margin.nominal)} → <b>{plain(quantile(summary, margin, 50))}</b>
       </span>

@@ -11,22 +11,18 @@ import { nameOf } from "./RunButton";
 import { humanise } from "../../scenario/schema";
 import { type Cell, cell, type Columns } from "../../features/sweep/table";
 
-type Ends = readonly [number | null | undefined, number | null | undefined];
+type Value = number | null | undefined;
+type Ends = readonly [Value, Value];
 
-const bars = (name: string, names: readonly string[], ends: readonly Ends[], color: string, width: number, shift = 0) =>
+const bars = (name: string, ends: readonly Ends[], color: string, width: number, shift = 0) =>
   lineTrace(name, {
     x: ends.flatMap(([low, high]) => [low ?? null, high ?? null, null]),
-    y: names.flatMap((_, index) => [index + shift, index + shift, null]),
+    y: ends.flatMap((_, index) => [index + shift, index + shift, null]),
     color,
     width,
   });
 
-function points(
-  name: string,
-  values: readonly (number | null | undefined)[],
-  symbol: string,
-  color: string,
-): PointTrace {
+function points(name: string, values: readonly Value[], symbol: string, color: string): PointTrace {
   const there = values.flatMap((value, index) => (typeof value === "number" ? [{ value, index }] : []));
   return {
     type: "scatter",
@@ -63,53 +59,22 @@ export function spreadChart(
 ): ChartOnPaper {
   const rows = strategies.flatMap(({ id, label }) => {
     const results = summary.strategies[id]?.figures[figure.key];
-    const scaled = (value: number | null | undefined) => (typeof value === "number" ? value * figure.scale : null);
-    return results
-      ? [
-          {
-            label,
-            nominal: scaled(results.nominal),
-            worst: scaled(results.highest?.value),
-            quantiles: PERCENTS.map((percent) => scaled(quantile(summary, results, percent))),
-          },
-        ]
-      : [];
+    const scaled = (value: Value) => (typeof value === "number" ? value * figure.scale : null);
+    if (!results) return [];
+    const quantiles = PERCENTS.map((percent) => scaled(quantile(summary, results, percent)));
+    return [{ label, nominal: scaled(results.nominal), worst: scaled(results.highest?.value), quantiles }];
   });
   const names = rows.map(({ label }) => label);
   const title = titleWithUnit(fullName(figure), figure.unit);
+  const ends = (from: number, to: number) => rows.map(({ quantiles }): Ends => [quantiles[from], quantiles[to]]);
+  const marks = (name: string, symbol: string, valueOf: (row: (typeof rows)[number]) => Value) =>
+    points(name, rows.map(valueOf), symbol, palette.text);
   const data = [
-    bars(
-      "5 to 95 %",
-      names,
-      rows.map(({ quantiles: [low, , , , high] }): Ends => [low, high]),
-      "#9db8d9",
-      5,
-    ),
-    bars(
-      "25 to 75 %",
-      names,
-      rows.map(({ quantiles: [, low, , high] }): Ends => [low, high]),
-      "#3b6fb5",
-      11,
-    ),
-    points(
-      "Median",
-      rows.map(({ quantiles: [, , median] }) => median),
-      "line-ns",
-      palette.text,
-    ),
-    points(
-      "Nominal",
-      rows.map(({ nominal }) => nominal),
-      "diamond-open",
-      palette.text,
-    ),
-    points(
-      "Worst case",
-      rows.map(({ worst }) => worst),
-      "circle-open",
-      palette.text,
-    ),
+    bars("5 to 95 %", ends(0, 4), "#9db8d9", 5),
+    bars("25 to 75 %", ends(1, 3), "#3b6fb5", 11),
+    marks("Median", "line-ns", ({ quantiles }) => quantiles[2]),
+    marks("Nominal", "diamond-open", ({ nominal }) => nominal),
+    marks("Worst case", "circle-open", ({ worst }) => worst),
   ];
   return {
     figure: { data, layout: layoutOf(palette, title, names, { rangemode: "tozero" }) },
@@ -138,8 +103,8 @@ export function tornadoChart(
   const [low, high] = [valueOf("low"), valueOf("high")];
   const fromBase = (values: typeof low) => values.map((value): Ends => (value === null ? [null, null] : [base, value]));
   const data = [
-    bars("Lowest value of the field", names, fromBase(low), "#9db8d9", 5, -0.2),
-    bars("Highest value of the field", names, fromBase(high), "#3b6fb5", 5, 0.2),
+    bars("Lowest value of the field", fromBase(low), "#9db8d9", 5, -0.2),
+    bars("Highest value of the field", fromBase(high), "#3b6fb5", 5, 0.2),
   ];
   const layout = layoutOf(palette, title, names, {});
   return {

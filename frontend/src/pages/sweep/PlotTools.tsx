@@ -6,12 +6,13 @@ import { StrategyChip } from "../../ui/StrategyKey";
 import { Choice, Entry, labelled } from "../../ui/Entry";
 import { titleWithUnit, formatInput } from "../../units/format";
 import { optionsOf, type Metric } from "../../server/metrics";
-import { type PlotKind, NONE, type SweepParts } from "./view";
+import { type PlotKind, NONE, useMarkers, type SweepParts } from "./view";
 import { parseQuantity } from "../../units/quantity";
+import { useCatalogues } from "../../server/useCatalogues";
 import type { Strategy } from "../../api/types";
-import { outlineOf, type MarkerSymbol } from "../../plots/markers";
+import { outlineOf } from "../../plots/markers";
 
-type Props = Pick<SweepParts, "strategies" | "markers" | "figures" | "shown" | "view" | "onView">;
+type Props = Pick<SweepParts, "strategies" | "shown" | "view" | "onView">;
 
 const KINDS: readonly { readonly value: PlotKind; readonly label: string }[] = [
   { value: "points", label: "Curves" },
@@ -19,7 +20,8 @@ const KINDS: readonly { readonly value: PlotKind; readonly label: string }[] = [
   { value: "trade_off", label: "Trade-off" },
 ];
 
-export function PlotTools({ strategies, markers, figures, shown, view, onView }: Props) {
+export function PlotTools({ strategies, shown, view, onView }: Props) {
+  const { figures } = useCatalogues();
   const { kind, mappable, axes } = shown;
   const offered = KINDS.filter(({ value }) => value !== "map" || mappable);
   const metric = (label: string, figure: Metric, onPick: (key: string) => void) => (
@@ -59,7 +61,7 @@ export function PlotTools({ strategies, markers, figures, shown, view, onView }:
               <StrategyChip
                 key={strategy.id}
                 {...{ strategy }}
-                icon={<MarkerKey strategy={strategy} symbol={markers[strategy.id]} />}
+                icon={<MarkerKey strategy={strategy} />}
                 pressed={on}
                 onClick={() =>
                   onView({
@@ -122,16 +124,12 @@ function LineEntry({ shown: { threshold, mapUnit }, onView }: Pick<MapToolsProps
   );
 }
 
-interface MarkerKeyProps {
-  readonly strategy: Pick<Strategy, "colour">;
-  readonly symbol: MarkerSymbol | undefined;
-}
-
 /** A strategy's marker as the plot draws it. */
-export function MarkerKey({ strategy, symbol = "circle" }: MarkerKeyProps) {
+export function MarkerKey({ strategy: { id, colour } }: { readonly strategy: Pick<Strategy, "id" | "colour"> }) {
+  const symbol = useMarkers()[id] ?? "circle";
   return (
     <svg width="14" height="14" viewBox="-7 -7 14 14" aria-hidden style={{ flex: "none" }} data-marker={symbol}>
-      <path d={outlineOf(symbol, 4.4)} fill={strategy.colour} stroke="var(--muted)" strokeWidth="0.75" />
+      <path d={outlineOf(symbol, 4.4)} fill={colour} stroke="var(--muted)" strokeWidth="0.75" />
     </svg>
   );
 }

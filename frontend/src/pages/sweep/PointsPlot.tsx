@@ -11,32 +11,23 @@ import { useCatalogue } from "../../server/useCatalogues";
 import { count, formatWhole, formatWithUnit } from "../../units/format";
 import { axesOf, type AxisOf, cell, pointsOf, type Columns, showCell } from "../../features/sweep/table";
 import classes from "./sweep.module.css";
-import { isAirborne, fieldTexts, type ShownPlot, type PlotParts, type SweepParts } from "./view";
+import { isAirborne, fieldTexts, type ShownPlot, type PlotParts, type SweepParts, useMarkers } from "./view";
 import { DotLayer } from "./DotLayer";
 import { fullName } from "../../server/metrics";
 import { frontOf, linesOf, scatterFigure } from "./scatter";
 import ui from "../../ui/ui.module.css";
 
-interface Props extends PlotParts, Pick<SweepParts, "markers" | "best"> {
+interface Props extends PlotParts, Pick<SweepParts, "best"> {
   /** Those switched on. */
   readonly visible: readonly Strategy[];
 }
 
 const NONE: readonly number[] = [];
+const CENTRED = { placeItems: "center", pointerEvents: "none" } as const;
 
-export function PointsPlot({
-  batch,
-  columns,
-  strategies,
-  visible,
-  markers,
-  shown,
-  best,
-  height,
-  textOf,
-  onOpen,
-}: Props) {
+export function PointsPlot({ batch, columns, strategies, visible, shown, best, height, textOf, onOpen }: Props) {
   const catalogue = useCatalogue();
+  const markers = useMarkers();
   const [ownPoints, setOwnPoints] = useState(false);
   const onNoAxes = useCallback(() => setOwnPoints(true), []);
 
@@ -108,7 +99,11 @@ export function PointsPlot({
             <DotLayer {...{ drawing, dots, width, height, onOpen, onNoAxes, textOf }} host={chart.hostRef} />
           )}
         />
-        {runs === 0 && <Text className={classes.plotEmpty}>{emptyReason(batch, visible.length, columns)}</Text>}
+        {runs === 0 && (
+          <Text pos="absolute" inset={0} display="grid" p="1rem" fz="md" ta="center" c="dimmed" style={CENTRED}>
+            {emptyReason(batch, visible.length, columns)}
+          </Text>
+        )}
       </div>
       {airborne > 0 && (
         <Text

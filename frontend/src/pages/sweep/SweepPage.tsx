@@ -1,12 +1,9 @@
 /** A sweep: how far it is, its plot and its rows. */
 
 import { useParams } from "@tanstack/react-router";
-import { useMemo } from "react";
 import type { Link, Batch, SharedView } from "../../api/types";
 import { BATCH, useJob } from "../../jobs/useJob";
-import { markersOf } from "../../plots/markers";
 import { Page } from "../../ui/Page";
-import { useCatalogues } from "../../server/useCatalogues";
 import { BatchResults } from "./SweepResults";
 import { BatchState, SweepList } from "../../features/sweep/SweepState";
 import { SharedNote } from "../../features/share/SharedBanner";
@@ -39,42 +36,26 @@ interface Props {
 
 function Sweep({ id, view, onView, link }: Props) {
   const { job: batch, connected, left } = useJob(BATCH, id, link?.batch ?? undefined);
-  const catalogues = useCatalogues();
-  const title = batch.label ?? `Sweep of ${titleOf(batch.fields)}`;
-  const { strategies } = catalogues;
-  const ids = batch.strategies;
-  const swept = useMemo(() => strategies.filter((each) => ids.some((id) => id === each.id)), [strategies, ids]);
-  const markers = useMemo(() => markersOf(strategies), [strategies]);
   return (
     <Page
-      title={title}
+      title={batch.label ?? `Sweep of ${titleOf(batch.fields)}`}
       above={link && <SharedNote link={link} what="sweep" />}
-      tools={<BatchActions batch={batch} view={view} />}
+      tools={
+        <>
+          <SweepButton batch={batch} />
+          <ShareLink
+            make={() => ask("post", "/links", { body: { batch_id: batch.id, view: toShare(batch, view) } })}
+            obstacle={null}
+            opens="It opens this sweep with its plot as it is here, for anyone who has the link. It is read-only."
+          />
+          <BatchFiles batch={batch} />
+        </>
+      }
     >
       <BatchState {...{ batch, connected, left }} readOnly={link !== undefined} />
-      <BatchResults {...{ batch, markers, view }} {...catalogues} strategies={swept} onView={onView} />
+      <BatchResults {...{ batch, view, onView }} />
       {!link && <SweepList current={id} />}
     </Page>
-  );
-}
-
-interface SweepActionsProps {
-  readonly batch: Batch;
-  readonly view: BatchView;
-}
-
-/** What the page of a sweep can do: share it and save its runs as files. */
-function BatchActions({ batch, view }: SweepActionsProps) {
-  return (
-    <>
-      <SweepButton batch={batch} />
-      <ShareLink
-        make={() => ask("post", "/links", { body: { batch_id: batch.id, view: toShare(batch, view) } })}
-        obstacle={null}
-        opens="It opens this sweep with its plot as it is here, for anyone who has the link. It is read-only."
-      />
-      <BatchFiles batch={batch} />
-    </>
   );
 }
 

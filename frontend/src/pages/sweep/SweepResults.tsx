@@ -17,7 +17,7 @@ import {
   useOpenRun,
 } from "../../features/sweep/table";
 import { CAVEAT_COLUMNS, describeRow, fieldTexts, shownPlot, type SweepParts } from "./view";
-import { useCatalogue } from "../../server/useCatalogues";
+import { useCatalogues } from "../../server/useCatalogues";
 import { Fault } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
 import { Card } from "../../ui/Card";
@@ -32,14 +32,13 @@ import { limitText } from "../../features/requirements/judged";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { ResultMark } from "../../features/requirements/RequirementsCard";
 
-interface Props extends Pick<SweepParts, "batch" | "strategies" | "markers" | "figures" | "view" | "onView"> {
-  readonly form: Group;
-}
-
 const NOTHING: Columns = {};
+const HEIGHT = 400;
 
-export function BatchResults({ batch: stored, form, strategies, markers, figures, view, onView }: Props) {
-  const catalogue = useCatalogue();
+export function BatchResults({ batch: stored, view, onView }: Pick<SweepParts, "batch" | "view" | "onView">) {
+  const { form, catalogue, figures, strategies: all } = useCatalogues();
+  const { strategies: ids } = stored;
+  const strategies = useMemo(() => all.filter((each) => ids.some((id) => id === each.id)), [all, ids]);
   // Every event is a new batch: what is drawn depends on its fields alone, which stay.
   const { fields: storedFields, sweep } = stored;
   const fields = useMemo(() => shownFields(storedFields, form), [storedFields, form]);
@@ -91,57 +90,40 @@ export function BatchResults({ batch: stored, form, strategies, markers, figures
       at: Object.fromEntries(values.flatMap(([name, value]) => (value === undefined ? [] : [[name, value]]))),
     });
   };
+  const textOf = useCallback(
+    (row: number) => (y ? describeRow(row, { columns, fields, strategies, y, catalogue }) : []),
+    [columns, fields, strategies, y, catalogue],
+  );
   const listed = useMemo(
     () => keys.flatMap((key) => figures.find((figure) => figure.key === key) ?? []),
     [keys, figures],
   );
 
   if (!shown) return null;
+  const common = { batch, columns, strategies, shown, textOf, onOpen: open, height: HEIGHT };
   return (
     <div className={ui.stack} data-testid="batch-results" data-rows={columns.run?.length ?? 0}>
       {table.isError && <Fault size="md">The rows could not be read: {table.error.message}</Fault>}
       {opening.error !== null && <Fault size="md">This run could not be opened: {opening.error}</Fault>}
-      <BatchPlot {...{ batch, columns, strategies, markers, figures, shown, view, best, onView }} onOpen={open} />
+      <Card aria-label="Plot">
+        <PlotTools {...{ strategies, shown, view, onView }} />
+        {shown.kind === "map" ? (
+          <MapPlot {...common} />
+        ) : (
+          <PointsPlot key={shown.kind} {...common} {...{ visible, best }} />
+        )}
+      </Card>
       {required && (
-        <BatchRequirements
-          results={required.requirement_results}
-          {...{ columns, fields, strategies, figures }}
-          onOpen={open}
-        />
+        <BatchRequirements results={required.requirement_results} {...{ columns, fields, strategies }} onOpen={open} />
       )}
       <BatchRows
-        {...{ batch, columns, strategies, markers, best }}
+        {...{ batch, columns, strategies, best }}
         loading={table.isPending || fetched !== arrived}
         figures={listed}
         opening={opening.opening?.run ?? null}
         onOpen={open}
       />
     </div>
-  );
-}
-
-const HEIGHT = 400;
-
-/** The plot of a sweep: curves over a field, a map over two, or one metric against another. */
-function BatchPlot({ batch, columns, strategies, markers, figures, shown, view, best, onView, onOpen }: SweepParts) {
-  const catalogue = useCatalogue();
-  const visible = useMemo(() => strategies.filter(({ id }) => !view.hidden.includes(id)), [strategies, view.hidden]);
-  const { fields } = batch;
-  const { y } = shown;
-  const textOf = useCallback(
-    (row: number) => describeRow(row, { columns, fields, strategies, y, catalogue }),
-    [columns, fields, strategies, y, catalogue],
-  );
-  const common = { batch, columns, strategies, shown, textOf, onOpen, height: HEIGHT };
-  return (
-    <Card aria-label="Plot">
-      <PlotTools {...{ strategies, markers, figures, shown, view, onView }} />
-      {shown.kind === "map" ? (
-        <MapPlot {...common} />
-      ) : (
-        <PointsPlot key={shown.kind} {...common} {...{ visible, markers, best }} />
-      )}
-    </Card>
   );
 }
 
@@ -174,12 +156,13 @@ function shownColumns(columns: Columns, fields: Fields, form: Group): Columns {
 
 type Result = Answer["requirement_results"][number];
 
-interface BatchRequirementsProps extends Pick<SweepParts, "columns" | "strategies" | "figures" | "onOpen"> {
+interface BatchRequirementsProps extends Pick<SweepParts, "columns" | "strategies" | "onOpen"> {
   readonly results: readonly Result[];
   readonly fields: SweepParts["batch"]["fields"];
 }
 
-function BatchRequirements({ results, columns, fields, strategies, figures, onOpen }: BatchRequirementsProps) {
+function BatchRequirements({ results, columns, fields, strategies, onOpen }: BatchRequirementsProps) {
+  const { figures } = useCatalogues();
   const labelOf = (id: string | null) => strategies.find((each) => each.id === id)?.label ?? id;
   const described: readonly Column<Result>[] = [
     {

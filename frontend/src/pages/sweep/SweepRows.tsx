@@ -4,7 +4,6 @@ import { ActionIcon, Box, Checkbox, Group, Pagination, Text } from "@mantine/cor
 import { useMemo, useState } from "react";
 import { Icon } from "../../ui/icons";
 import { count, prettyUnit } from "../../units/format";
-import classes from "./sweep.module.css";
 import { MarkerKey } from "./PlotTools";
 import {
   cell,
@@ -18,16 +17,15 @@ import {
 } from "../../features/sweep/table";
 import { ResultMark } from "../../features/requirements/RequirementsCard";
 import { caveatsOfRow, type SweepParts } from "./view";
+import type { Metric } from "../../server/metrics";
 import { Card } from "../../ui/Card";
 import { DataTable, type Column } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
 import { CaveatMark } from "../../features/tables/ChangeMark";
 import { useCatalogue } from "../../server/useCatalogues";
 
-interface Props extends Pick<
-  SweepParts,
-  "batch" | "columns" | "strategies" | "markers" | "figures" | "best" | "onOpen"
-> {
+interface Props extends Pick<SweepParts, "batch" | "columns" | "strategies" | "best" | "onOpen"> {
+  readonly figures: readonly Metric[];
   readonly loading: boolean;
   /** The row whose run is being opened. */
   readonly opening: number | null;
@@ -152,7 +150,16 @@ function Run({ columns, row, best, opening, onOpen }: CellProps) {
   return (
     <span className={ui.named}>
       {row === best && (
-        <span data-hint="Lowest value of the plotted metric" className={classes.ring} role="img" aria-label="lowest" />
+        <Box
+          component="span"
+          data-hint="Lowest value of the plotted metric"
+          w={10}
+          h={10}
+          bd="2px solid var(--text)"
+          bdrs="50%"
+          role="img"
+          aria-label="lowest"
+        />
       )}
       {run}
       <ActionIcon
@@ -169,12 +176,12 @@ function Run({ columns, row, best, opening, onOpen }: CellProps) {
   );
 }
 
-function Driven({ columns, strategies, markers, row }: CellProps) {
+function Driven({ columns, strategies, row }: CellProps) {
   const catalogue = useCatalogue();
   const strategy = strategies.find(({ id }) => id === cell(columns, "strategy", row));
   return (
     <span className={ui.named}>
-      {strategy && <MarkerKey strategy={strategy} symbol={markers[strategy.id]} />}
+      {strategy && <MarkerKey strategy={strategy} />}
       {strategy?.label ?? textCell(columns, "strategy", row)}
       <CaveatMark caveats={caveatsOfRow(columns, row, catalogue)} short />
     </span>

@@ -1,13 +1,14 @@
 /** How a sweep is looked at: on its own page the address carries it, a link has its own; what its plot shows of that, and a run in words. */
 
 import { useNavigate, useSearch } from "@tanstack/react-router";
-import { useState } from "react";
+import { useMemo, useState } from "react";
 import { SEED } from "../../scenario/fields";
 import type { SharedView, StrategyId, Batch, Strategy, Catalogue } from "../../api/types";
 import { listOf } from "../../lab/address";
 import { OPENING_METRIC, type Metric, fullName } from "../../server/metrics";
-import { axesOf, type AxisOf, type Columns, cell, REQUIRED, showCell } from "../../features/sweep/table";
-import type { Markers } from "../../plots/markers";
+import { axesOf, type Columns, cell, REQUIRED, showCell } from "../../features/sweep/table";
+import { markersOf } from "../../plots/markers";
+import { useStrategies } from "../../server/useCatalogues";
 import { CAVEAT_EVENTS, caveatsOf, type Caveat } from "../../features/tables/change";
 import { formatResult, isNothing, prettyUnit } from "../../units/format";
 
@@ -83,23 +84,7 @@ export function useSharedView({ hidden, threshold, ...stated }: SharedView): rea
   return [view, (part) => setView((before) => ({ ...before, ...part }))];
 }
 
-export interface ShownPlot {
-  readonly kind: PlotKind;
-  /** Two fields are swept, over a grid, on one road or several. */
-  readonly mappable: boolean;
-  /** The fields that it can be over. */
-  readonly axes: readonly AxisOf[];
-  readonly x: AxisOf;
-  /** A map's other field. */
-  readonly other: AxisOf | null;
-  readonly y: Metric;
-  /** The metric across in a trade-off. */
-  readonly versus: Metric;
-  readonly strategy: StrategyId;
-  readonly against: StrategyId | null;
-  readonly threshold: number | null;
-  readonly mapUnit: string;
-}
+export type ShownPlot = NonNullable<ReturnType<typeof shownPlot>>;
 
 const PASSIVE = "passive";
 const TRADED = "travel_time";
@@ -109,7 +94,7 @@ export function shownPlot(
   strategies: readonly Strategy[],
   figures: readonly Metric[],
   view: BatchView,
-): ShownPlot | null {
+) {
   const all = axesOf(batch.fields);
   const varied = all.filter(({ name }) => name !== SEED);
   const mappable = varied.length === 2 && !batch.sweep.latin_hypercube;
@@ -126,11 +111,15 @@ export function shownPlot(
   const against = view.against === null ? usual : (ids.find((id) => id === view.against && id !== strategy) ?? null);
   return {
     kind,
+    /** Two fields are swept, over a grid, on one road or several. */
     mappable,
+    /** The fields that it can be over. */
     axes,
     x,
+    /** A map's other field. */
     other: axes.find((axis) => axis !== x) ?? null,
     y,
+    /** The metric across in a trade-off. */
     versus: find(view.versus) ?? find(TRADED) ?? y,
     strategy,
     against,
@@ -139,14 +128,18 @@ export function shownPlot(
   };
 }
 
+/** The marker of each strategy there is. */
+export function useMarkers() {
+  const strategies = useStrategies();
+  return useMemo(() => markersOf(strategies), [strategies]);
+}
+
 /** What a sweep's page gives its plot and its rows. */
 export interface SweepParts {
   readonly batch: Batch;
   readonly columns: Columns;
   /** The batch's, in the catalogue's order. */
   readonly strategies: readonly Strategy[];
-  readonly markers: Markers;
-  readonly figures: readonly Metric[];
   readonly shown: ShownPlot;
   readonly view: BatchView;
   /** The row with the lowest value of the plotted metric. */

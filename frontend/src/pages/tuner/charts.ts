@@ -82,22 +82,16 @@ function pointsBy(
     hovertemplate: "%{text}<extra></extra>",
   });
   const driven = trials.filter(({ values }) => values !== null);
+  const over = driven.filter(({ feasible }) => !feasible);
+  const within = driven.filter(({ feasible }) => feasible);
   const ringed = driven.filter(({ number }) => number === picked);
   return {
     points,
     driven,
     ringed,
     all: [
-      points(
-        "Over a limit",
-        driven.filter(({ feasible }) => !feasible),
-        { size: 6, symbol: "x-thin-open", opacity: 0.5 },
-      ),
-      points(
-        "Trials",
-        driven.filter(({ feasible }) => feasible),
-        { size: 5, opacity: 0.35 },
-      ),
+      points("Over a limit", over, { size: 6, symbol: "x-thin-open", opacity: 0.5 }),
+      points("Trials", within, { size: 5, opacity: 0.35 }),
     ],
     ring:
       ringed.length > 0
@@ -107,8 +101,8 @@ function pointsBy(
 }
 
 /** A staircase. */
-const steps = (name: string, x: readonly number[], y: readonly number[], color: string, width: number) =>
-  lineTrace(name, { x, y, color, width, shape: "hv" });
+const steps = (name: string, along: readonly (readonly [number, number])[], color: string, width: number) =>
+  lineTrace(name, { x: along.map(([x]) => x), y: along.map(([, y]) => y), color, width, shape: "hv" });
 
 export function frontFigure(input: FrontInput): SearchFigure {
   const { front, named, x, y, objectives, palette, colour } = input;
@@ -126,7 +120,16 @@ export function frontFigure(input: FrontInput): SearchFigure {
     data: [
       ...all,
       // With three objectives the front is a surface: its points in this plane are not joined.
-      ...(objectives.length === 2 ? [steps("Front", sorted.map(across), sorted.map(up), colour, 1.5)] : []),
+      ...(objectives.length === 2
+        ? [
+            steps(
+              "Front",
+              sorted.map((trial) => [across(trial), up(trial)]),
+              colour,
+              1.5,
+            ),
+          ]
+        : []),
       points("Front", sorted, { color: colour, size: 9, symbol: "circle", line: { width: 0.75, color: palette.text } }),
       points(
         "Named",
@@ -174,16 +177,16 @@ export interface HistoryInput extends Input {
 function bestSoFar(
   driven: readonly Trial[],
   shown: ShownNumber,
-): readonly { readonly number: number; readonly value: number }[] {
+): readonly (readonly [number: number, value: number])[] {
   let least = Infinity;
   const better = driven.flatMap((trial) => {
     const value = valueOf(trial, 0, shown);
     if (!trial.feasible || value >= least) return [];
     least = value;
-    return [{ number: trial.number, value }];
+    return [[trial.number, value] as const];
   });
   const last = driven.at(-1);
-  return last && better.length > 0 ? [...better, { number: last.number, value: least }] : better;
+  return last && better.length > 0 ? [...better, [last.number, least]] : better;
 }
 
 /** One objective: every trial, and the best so far as a line. */
@@ -194,21 +197,11 @@ export function historyFigure(input: HistoryInput): SearchFigure {
   const best = bestSoFar(driven, shown);
   const reference = paper ? up(paper) : NaN;
   const values = driven.map(up);
-  const must = [...best.map(({ value }) => value), reference].filter(Number.isFinite);
+  const must = [...best.map(([, value]) => value), reference].filter(Number.isFinite);
   const range = must.length > 0 ? rangeOf(must, values) : null;
   return {
     beyond: range ? values.filter((value) => value > range[1]).length : 0,
-    data: [
-      ...all,
-      steps(
-        "Best so far",
-        best.map(({ number }) => number),
-        best.map(({ value }) => value),
-        colour,
-        2.5,
-      ),
-      ...ring,
-    ],
+    data: [...all, steps("Best so far", best, colour, 2.5), ...ring],
     layout: chartLayout(palette, {
       xaxis: { title: { text: "Trial" }, rangemode: "tozero" },
       yaxis: { title: { text: axisTitle(shown) }, ...(range ? { range } : {}) },
@@ -220,19 +213,11 @@ export function historyFigure(input: HistoryInput): SearchFigure {
 
 /** Several objectives: how much of the box under the paper's weights the front has taken. */
 export function volumeFigure(history: readonly Generation[], { palette, colour }: Colours): ChartFigure {
-  const driven = history.flatMap(({ trials, hypervolume }) =>
-    hypervolume === null ? [] : [{ trials, hypervolume: 100 * hypervolume }],
+  const grown = history.flatMap(({ trials, hypervolume }) =>
+    hypervolume === null ? [] : [[trials, 100 * hypervolume] as const],
   );
   return {
-    data: [
-      steps(
-        "Front",
-        driven.map(({ trials }) => trials),
-        driven.map(({ hypervolume }) => hypervolume),
-        colour,
-        2,
-      ),
-    ],
+    data: [steps("Front", grown, colour, 2)],
     layout: chartLayout(palette, {
       xaxis: { title: { text: "Trial" }, rangemode: "tozero" },
       yaxis: { title: { text: "Dominated [%]" }, rangemode: "tozero" },
