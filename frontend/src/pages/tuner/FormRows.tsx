@@ -1,10 +1,10 @@
 /** What is minimised, within which limits, and what is searched from where to where. */
 
 import { Group, Box, Checkbox } from "@mantine/core";
-import type { Catalogue, Scenario } from "../../api/types";
+import type { Scenario } from "../../api/types";
 import { optionsOf, fullName, type Metric } from "../../server/metrics";
 import type { DraftErrors } from "../../features/jobForm/jobForm";
-import { prettyUnit } from "../../units/format";
+import { titleWithUnit } from "../../units/format";
 import {
   MOST_OBJECTIVES,
   objectiveOf,
@@ -18,16 +18,16 @@ import {
 import classes from "./tuner.module.css";
 import ui from "../../ui/ui.module.css";
 import { Choice, Entry, EntryRow, Finder } from "../../ui/Entry";
-import { ownText, type Tunable, type TunableNumber } from "./space";
+import { ownText, useNumericCatalogues, type Tunable, type TunableNumber } from "./space";
 import { Fault } from "../../ui/Messages";
 
-interface Props {
-  readonly objectives: readonly ObjectiveDraft[];
-  readonly figures: readonly Metric[];
-  readonly windows: Catalogue["windows"];
+interface Props<Drafts> {
+  readonly drafts: Drafts;
   readonly errors: DraftErrors;
-  readonly onChange: (objectives: readonly ObjectiveDraft[]) => void;
+  readonly onChange: (drafts: Drafts) => void;
 }
+
+const WIDTH = { base: "5.6rem", sm: "8.2rem" };
 
 const SUMS: readonly { readonly value: ObjectiveKind; readonly label: string; readonly text: string }[] = [
   {
@@ -43,7 +43,8 @@ const SUMS: readonly { readonly value: ObjectiveKind; readonly label: string; re
 ];
 const Q = ["q1, body", "q2, pitch", "q3, tyres"] as const;
 
-export function ObjectiveRows({ objectives, figures, windows, errors, onChange }: Props) {
+export function ObjectiveRows({ drafts: objectives, errors, onChange }: Props<readonly ObjectiveDraft[]>) {
+  const { figures, catalogue } = useNumericCatalogues();
   const patch = (key: number, change: Partial<ObjectiveDraft>) =>
     onChange(objectives.map((each) => (each.key === key ? { ...each, ...change } : each)));
   const add = (value: string) => {
@@ -57,33 +58,26 @@ export function ObjectiveRows({ objectives, figures, windows, errors, onChange }
       {objectives.map((objective, index) => {
         const { key, kind, q, window, figure: name } = objective;
         const figure = figures.find((each) => each.key === name);
-        const title =
-          kind === "figure"
-            ? figure
-              ? fullName(figure)
-              : (name ?? "")
-            : (SUMS.find(({ value }) => value === kind)?.label ?? "");
+        const sum = SUMS.find(({ value }) => value === kind);
         const error = errors[`objectives.${index}`];
         return (
           <EntryRow
             key={key}
-            title={title}
+            title={sum?.label ?? (figure ? fullName(figure) : (name ?? ""))}
             error={error}
             onRemove={() => onChange(objectives.filter((each) => each.key !== key))}
             beside={
               <span className={ui.dim}>
-                {kind === "figure"
-                  ? `mean over the roads${figure && prettyUnit(figure.unit) ? ` [${prettyUnit(figure.unit)}]` : ""}`
-                  : SUMS.find(({ value }) => value === kind)?.text}
+                {sum ? sum.text : titleWithUnit("mean over the roads", figure?.unit ?? "1")}
               </span>
             }
           >
-            {kind !== "figure" && (
+            {sum && (
               <Group gap="0.4rem 0.7rem" align="flex-end" mt="0.3rem">
                 {Q.map((label, part) => (
                   <Entry
                     key={label}
-                    className={classes.short}
+                    w={WIDTH}
                     label={label}
                     value={q[part] ?? ""}
                     onType={(typed) => {
@@ -95,7 +89,7 @@ export function ObjectiveRows({ objectives, figures, windows, errors, onChange }
                 <Choice
                   label="Over"
                   value={window}
-                  data={windows.map((each) => ({ value: each.key, label: each.label }))}
+                  data={catalogue.windows.map((each) => ({ value: each.key, label: each.label }))}
                   onPick={(next) => patch(key, { window: next })}
                 />
               </Group>
@@ -144,15 +138,9 @@ function FigureSelect({ figures, first = [], ...props }: FigureSelectProps) {
   );
 }
 
-interface LimitRowsProps {
-  readonly limits: readonly LimitDraft[];
-  readonly figures: readonly Metric[];
-  readonly errors: DraftErrors;
-  readonly onChange: (limits: readonly LimitDraft[]) => void;
-}
-
 /** What may not be exceeded on any training road. */
-export function LimitRows({ limits, figures, errors, onChange }: LimitRowsProps) {
+export function LimitRows({ drafts: limits, errors, onChange }: Props<readonly LimitDraft[]>) {
+  const { figures } = useNumericCatalogues();
   return (
     <div className={ui.stack}>
       {limits.map(({ figure: name, atMost }, index) => {
@@ -171,7 +159,7 @@ export function LimitRows({ limits, figures, errors, onChange }: LimitRowsProps)
               <>
                 <span className={ui.dim}>at most</span>
                 <Entry
-                  className={classes.short}
+                  w={WIDTH}
                   aria-label={`${title}, at most`}
                   value={atMost}
                   unit={figure?.unit}
@@ -197,31 +185,29 @@ export function LimitRows({ limits, figures, errors, onChange }: LimitRowsProps)
   );
 }
 
-interface RangesProps {
+interface RangesProps extends Props<Readonly<Record<string, RangeDraft>>> {
   readonly tunable: Tunable;
   /** Its numbers. */
   readonly fields: readonly TunableNumber[];
   readonly scenario: Scenario | undefined;
-  readonly ranges: Readonly<Record<string, RangeDraft>>;
-  readonly errors: DraftErrors;
-  readonly onChange: (name: string, change: Partial<RangeDraft>) => void;
 }
 
-export function RangesTable({ tunable, fields, scenario, ranges, errors, onChange }: RangesProps) {
+const isWrong = (errors: DraftErrors, { name }: TunableNumber) => errors[`search.${name}`] !== undefined;
+const labelOf = ({ row, single, field }: TunableNumber) => (single ? row : `${row}, ${field.title}`);
+
+export function RangesTable({ tunable, fields, scenario, drafts, errors, onChange }: RangesProps) {
   const rows = [...new Set(fields.map(({ row }) => row))];
   const titles = tunable.triples[0]?.items.map(({ title }) => title) ?? [];
-  const wrong = fields.find(({ name }) => errors[`search.${name}`] !== undefined);
-  const message = wrong
-    ? `${wrong.row}${wrong.single ? "" : `, ${wrong.field.title}`}: ${errors[`search.${wrong.name}`] ?? ""}`
-    : errors.search;
+  const wrong = fields.find((each) => isWrong(errors, each));
+  const message = wrong ? `${labelOf(wrong)}: ${errors[`search.${wrong.name}`] ?? ""}` : errors.search;
   return (
     <>
       <div className={classes.ranges}>
         {titles.length > 0 && <span />}
         {titles.map((title) => (
-          <span key={title} className={classes.rangeTitle} aria-hidden>
+          <Box component="span" key={title} fz="xs" c="dimmed" visibleFrom="sm" aria-hidden>
             {title}
-          </span>
+          </Box>
         ))}
         {rows.map((row) => (
           <div key={row} className={classes.rangeRow} role="group" aria-label={row}>
@@ -230,17 +216,19 @@ export function RangesTable({ tunable, fields, scenario, ranges, errors, onChang
             </Box>
             {fields
               .filter((each) => each.row === row)
-              .map((each) => (
-                <Range
-                  key={each.name}
-                  label={each.single ? row : `${row}, ${each.field.title}`}
-                  range={ranges[each.name]}
-                  own={scenario ? ownText(scenario, each) : "as it is"}
-                  wrong={errors[`search.${each.name}`] !== undefined}
-                  title={each.single ? "" : each.field.title}
-                  onChange={(change) => onChange(each.name, change)}
-                />
-              ))}
+              .map((each) => {
+                const range = drafts[each.name];
+                return (
+                  range && (
+                    <Range
+                      key={each.name}
+                      {...{ range, each, scenario }}
+                      wrong={isWrong(errors, each)}
+                      onChange={(change) => onChange({ ...drafts, [each.name]: { ...range, ...change } })}
+                    />
+                  )
+                );
+              })}
           </div>
         ))}
       </div>
@@ -249,19 +237,15 @@ export function RangesTable({ tunable, fields, scenario, ranges, errors, onChang
   );
 }
 
-interface RangeProps {
-  readonly label: string;
-  /** Stands above it where there is no room for columns. */
-  readonly title: string;
-  readonly range: RangeDraft | undefined;
-  /** The scenario's value. */
-  readonly own: string;
+interface RangeProps extends Pick<RangesProps, "scenario"> {
+  readonly each: TunableNumber;
+  readonly range: RangeDraft;
   readonly wrong: boolean;
   readonly onChange: (change: Partial<RangeDraft>) => void;
 }
 
-function Range({ label, title, range, own, wrong, onChange }: RangeProps) {
-  if (!range) return null;
+function Range({ each, range, scenario, wrong, onChange }: RangeProps) {
+  const label = labelOf(each);
   const end = (key: "from" | "to") => (
     <Entry
       flex="0 1 4.2rem"
@@ -273,28 +257,26 @@ function Range({ label, title, range, own, wrong, onChange }: RangeProps) {
     />
   );
   return (
-    <div className={classes.range}>
-      <span className={classes.rangeNarrow} aria-hidden>
-        {title}
-      </span>
-      <Group component="span" gap="0.4rem" wrap="nowrap" mih={30}>
-        <Checkbox
-          aria-label={`Tune ${label}`}
-          checked={range.on}
-          onChange={(event) => onChange({ on: event.currentTarget.checked })}
-        />
-        {range.on ? (
-          <>
-            {end("from")}
-            <span className={ui.dim} aria-hidden>
-              –
-            </span>
-            {end("to")}
-          </>
-        ) : (
-          <span className={ui.dim}>stays {own}</span>
-        )}
-      </Group>
-    </div>
+    <Group gap="0.4rem" wrap="nowrap" mih={30}>
+      <Box component="span" flex={1} fz="xs" c="dimmed" hiddenFrom="sm" aria-hidden>
+        {each.single ? "" : each.field.title}
+      </Box>
+      <Checkbox
+        aria-label={`Tune ${label}`}
+        checked={range.on}
+        onChange={(event) => onChange({ on: event.currentTarget.checked })}
+      />
+      {range.on ? (
+        <>
+          {end("from")}
+          <span className={ui.dim} aria-hidden>
+            –
+          </span>
+          {end("to")}
+        </>
+      ) : (
+        <span className={ui.dim}>stays {scenario ? ownText(scenario, each) : "as it is"}</span>
+      )}
+    </Group>
   );
 }

@@ -73,7 +73,7 @@ const QUANTILES = [
 ];
 
 function NewTuning() {
-  const { form, catalogue, strategies, figures } = useNumericCatalogues();
+  const { form, strategies, figures } = useNumericCatalogues();
   const source = usePageScenario();
   const stored = useDraft<TuningDraft>({
     name: "tuning",
@@ -120,27 +120,18 @@ function NewTuning() {
         </Input.Wrapper>
       </Part>
       <Part title="Minimise">
-        <ObjectiveRows
-          objectives={draft.objectives}
-          windows={catalogue.windows}
-          {...{ figures, errors }}
-          onChange={(objectives) => patch({ objectives })}
-        />
+        <ObjectiveRows drafts={draft.objectives} errors={errors} onChange={(objectives) => patch({ objectives })} />
       </Part>
       <Part title="Within limits" detail="on every training road">
-        <LimitRows limits={draft.limits} {...{ figures, errors }} onChange={(limits) => patch({ limits })} />
+        <LimitRows drafts={draft.limits} errors={errors} onChange={(limits) => patch({ limits })} />
       </Part>
       <Part title="Weights and times" detail="searched between these ends, by ratio where both are above 0">
         <RangesTable
-          tunable={tunable}
+          {...{ tunable, errors }}
           fields={numbers}
           scenario={source.scenario}
-          ranges={draft.ranges}
-          errors={errors}
-          onChange={(name, change) => {
-            const range = draft.ranges[name];
-            if (range) patch({ ranges: { ...draft.ranges, [name]: { ...range, ...change } } });
-          }}
+          drafts={draft.ranges}
+          onChange={(ranges) => patch({ ranges })}
         />
         {tunable.untuned.length > 0 && (
           <Note>

@@ -13,7 +13,6 @@ import { useCatalogues } from "../../server/useCatalogues";
 import { count, formatExact, formatWhole, parseInput } from "../../units/format";
 import { ofLimit, ofObjective } from "./space";
 import { formatSeeds } from "./draft";
-import classes from "./tuner.module.css";
 import { Entry } from "../../ui/Entry";
 import ui from "../../ui/ui.module.css";
 import { Note } from "../../ui/Messages";
@@ -89,7 +88,7 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
       })}
     >
       <Entry
-        className={classes.short}
+        w="8.2rem"
         aria-label="Trials in all"
         inputMode="numeric"
         value={trials}
