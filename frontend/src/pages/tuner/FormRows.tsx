@@ -257,10 +257,12 @@ function Range({ each, range, scenario, wrong, onChange }: RangeProps) {
     />
   );
   return (
-    <Group gap="0.4rem" wrap="nowrap" mih={30}>
-      <Box component="span" flex={1} fz="xs" c="dimmed" hiddenFrom="sm" aria-hidden>
-        {each.single ? "" : each.field.title}
-      </Box>
+    <Group gap="0.4rem" wrap="nowrap" mih={30} {...(!each.single && { w: { base: "100%", sm: "auto" } })}>
+      {!each.single && (
+        <Box component="span" flex={1} fz="xs" c="dimmed" hiddenFrom="sm" aria-hidden>
+          {each.field.title}
+        </Box>
+      )}
       <Checkbox
         aria-label={`Tune ${label}`}
         checked={range.on}
