@@ -49,8 +49,8 @@ interface SureProps {
   /** Its interval's ends, where it has one. */
   readonly low: number | null;
   readonly high: number | null;
-  /** The interval in words. */
-  readonly children: string;
+  /** The interval in words, where it does not stand elsewhere. */
+  readonly children?: string;
 }
 
 /** A change [%] that is better or worse only where its whole interval is. */
@@ -59,7 +59,7 @@ export function SureChange({ value, low, high, children }: SureProps) {
   return (
     <>
       <ChangeText change={{ percent: value, half: 0, verdict }} />
-      <span className={ui.under}>{children}</span>
+      {children !== undefined && <span className={ui.under}>{children}</span>}
     </>
   );
 }

@@ -5,6 +5,7 @@ import { useCallback, useState } from "react";
 import type { BatchSummary, Strategy } from "../../api/types";
 import { type Metric, fullName } from "../../server/metrics";
 import { formatPercent } from "../../features/tables/change";
+import { SureChange } from "../../features/tables/ChangeMark";
 import { StrategyName, NameWithUnit } from "../../ui/StrategyKey";
 import { formatResult, formatFixed, formatWhole } from "../../units/format";
 import { RunButton } from "./RunButton";
@@ -40,8 +41,8 @@ export function Spread({ summary, strategies, figures, opening }: Props) {
       tools={<SegmentedControl aria-label="Figures" value={shownGroup} data={groups} onChange={setShownGroup} />}
     >
       <Note className={ui.note ?? ""}>
-        Thin bars: 5 to 95 %. Thick ones: 25 to 75 %. Line: median. Diamond: nominal, the scenario itself. Circle: worst
-        case.
+        Arrows: the change is better or worse at 5 and 95 % alike. Thin bars: 5 to 95 %. Thick ones: 25 to 75 %. Line:
+        median. Diamond: nominal, the scenario itself. Circle: worst case.
       </Note>
       <Columns className={ui.whole ?? ""} least="18rem" gap="0.4rem 1rem" p="0.3rem 1rem 0.8rem">
         {shown.map((figure) => (
@@ -86,8 +87,14 @@ function columnsOf({ summary, shownGroup, against, opening }: Context): readonly
   const value = (number: number | null, { figure }: Row) =>
     number === null ? "–" : formatResult(number * figure.scale);
   const change = (percent: number, margin: Margin | null) => {
-    const at = margin && quantile(summary, margin, percent);
-    return typeof at === "number" ? formatPercent(at) : margin ? "–" : "";
+    if (margin === null) return "";
+    const at = quantile(summary, margin, percent);
+    if (at === null) return "–";
+    return percent === 50 ? (
+      <SureChange value={at} low={quantile(summary, margin, 5)} high={quantile(summary, margin, 95)} />
+    ) : (
+      formatPercent(at)
+    );
   };
   return [
     { key: "strategy", head: "Strategy", text: true, cell: ({ strategy }) => <StrategyName strategy={strategy} /> },

@@ -142,10 +142,6 @@ function Leads({ summary, strategies, figures, onBaseline }: LeadsProps) {
       title={`Where ${baseline.label} is better`}
       tools={<Choice aria-label="Baseline" value={summary.baseline} data={labelled(strategies)} onPick={onBaseline} />}
     >
-      <Note className={ui.note ?? ""}>
-        Share of the points at which {baseline.label} has the lower value; below, how much higher the other strategy is:
-        in the scenario itself, then the median and the range of 90 % of the points.
-      </Note>
       <Box component="ul" m={0} fz="sm" className={ui.note ?? ""} style={{ listStyle: "none" }} aria-label="Conclusion">
         {others.map(({ id, label }) => {
           const margins = figures.flatMap(({ key }) => summary.strategies[id]?.figures[key]?.margin ?? []);
@@ -155,6 +151,10 @@ function Leads({ summary, strategies, figures, onBaseline }: LeadsProps) {
           return leads.length > 0 && <li key={id}>{leadSentence(baseline.label, label, leads)}</li>;
         })}
       </Box>
+      <Note className={ui.note ?? ""}>
+        Share of the points at which {baseline.label} has the lower value; below, how much higher the other strategy is:
+        in the scenario itself, then the median and the range of 90 % of the points.
+      </Note>
       <DataTable
         label="Leads"
         rows={others}

@@ -26,7 +26,7 @@ import {
   firstTrial,
   tunableOf,
 } from "./space";
-import { ValidationTable } from "./ValidationTable";
+import { Conclusion, ValidationTable } from "./ValidationTable";
 import { PointsTable, PointTable } from "./PointsTable";
 import { TuningState } from "./TuningState";
 import { humanise } from "../../scenario/schema";
@@ -93,6 +93,7 @@ function TuningResults({ tuning }: { readonly tuning: Tuning }) {
         </Text>
       )}
       {load.error !== null && <Fault size="md">These weights could not be loaded: {load.error}</Fault>}
+      <Conclusion {...{ tuning, objectives, figures }} />
       <TuningPlot {...{ tuning, objectives, limits, tunable, points, load }} />
       {points.length > 0 && <PointsTable {...{ tuning, objectives, limits, tunable, points, load }} />}
       <ValidationTable {...{ tuning, objectives, figures }} />

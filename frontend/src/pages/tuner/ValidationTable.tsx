@@ -31,30 +31,15 @@ const SIGN: Readonly<Record<Keeps, readonly [IconName, string?]>> = {
   none: ["Equal"],
 };
 
-export function ValidationTable({ tuning, objectives, figures }: Props) {
+/** What the search has come to: whether each gain holds on roads it has not seen, and what got worse for it. */
+export function Conclusion({ tuning, objectives, figures }: Props) {
   const { comparison } = tuning;
-  if (!comparison) {
-    return (
-      <Card aria-label="Validation roads" aria-busy={!isFinal(tuning) || undefined} title="Validation roads">
-        <div className={ui.note}>
-          <Text c="dimmed">
-            {isFinal(tuning)
-              ? "The comparison is made once the search is complete: resume it for that."
-              : `When the search is complete, the best weights drive ${tuning.fresh_seeds.length} roads they were not tuned on, beside ${firstTrial(tuning)}.`}
-          </Text>
-          {tuning.step === "comparison" && !isFinal(tuning) && <Skeleton height={120} radius={6} mt={10} />}
-        </div>
-      </Card>
-    );
-  }
+  if (!comparison) return null;
   const gains = gainsOf(comparison, objectives.length);
   const nameOf = (key: string) => ofKey(key, tuning, figures).label;
   return (
-    <Card
-      aria-label="Validation roads"
-      title={`Validation: ${tuning.seeds.length} training and ${tuning.fresh_seeds.length} validation roads`}
-    >
-      <Stack component="ul" className={ui.list ?? ""} gap="0.3rem" p="0 0.9rem 0.6rem">
+    <Card aria-label="Conclusion">
+      <Stack component="ul" className={ui.list ?? ""} gap="0.3rem" p="0.6rem 0.9rem">
         {gains.map((gain) => (
           <GainLine
             key={gain.objective}
@@ -71,6 +56,31 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
           )),
         )}
       </Stack>
+    </Card>
+  );
+}
+
+export function ValidationTable({ tuning, objectives, figures }: Props) {
+  const { comparison } = tuning;
+  if (!comparison) {
+    return (
+      <Card aria-label="Validation roads" aria-busy={!isFinal(tuning) || undefined} title="Validation roads">
+        <div className={ui.note}>
+          <Text c="dimmed">
+            {isFinal(tuning)
+              ? "The comparison is made once the search is complete: resume it for that."
+              : `When the search is complete, the best weights drive ${tuning.fresh_seeds.length} roads they were not tuned on, beside ${firstTrial(tuning)}.`}
+          </Text>
+          {tuning.step === "comparison" && !isFinal(tuning) && <Skeleton height={120} radius={6} mt={10} />}
+        </div>
+      </Card>
+    );
+  }
+  return (
+    <Card
+      aria-label="Validation roads"
+      title={`Validation: ${tuning.seeds.length} training and ${tuning.fresh_seeds.length} validation roads`}
+    >
       <DataTable
         label="The first trial’s and the tuned weights over training and validation roads"
         rows={comparison.figures.map(({ key }) => rowOf(key, tuning, figures))}
