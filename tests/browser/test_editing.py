@@ -260,6 +260,7 @@ def test_a_table_of_ones_own_is_mapped_looked_at_and_driven_over_the_bump_one_ch
         dashboard.expect_accessible(mapping)
     mapping.get_by_role("button", name="Drive this road").click()
     expect(mapping).to_have_count(0)
+    page.get_by_text(re.compile(r"^\d remarks$")).click()
     expect(page.get_by_text("The mean of left and right track is taken")).to_be_visible()
     choice = page.get_by_label("Bump that counts")
     expect(choice.locator("option:checked")).to_contain_text("at 80 m")

@@ -9,6 +9,7 @@ import { useOpenFiles, useOpenGalleryEntry, notice, unclear } from "./open";
 import { useFromScenario } from "../../lab/context";
 import { useSelector } from "@tanstack/react-store";
 import ui from "../../ui/ui.module.css";
+import { count } from "../../units/format";
 
 const FileMapping = lazy(() => import("./FileMapping").then((module) => ({ default: module.FileMapping })));
 
@@ -103,13 +104,22 @@ function LastNotice() {
   const isOpen = useSelector(dialog) !== null;
   const isAsked = useSelector(unclear).length > 0; // whose dialog says what is wrong
   if (!said || !isNewest || isOpen || isAsked) return null;
+  const [first, ...remarks] = said.lines;
+  const isLong = !said.isWrong && remarks.length > 1; // it would cover the verdict
+  const rest = remarks.map((line) => <Text key={line}>{line}</Text>);
   return (
     <Box pos="fixed" top="3.85rem" left="50%" w="max-content" maw="calc(100% - 2rem)" style={MESSAGE} data-unprinted>
       <div className={ui.notice} role={said.isWrong ? "alert" : "status"}>
         <div>
-          {said.lines.map((line) => (
-            <Text key={line}>{line}</Text>
-          ))}
+          <Text>{first}</Text>
+          {isLong ? (
+            <details>
+              <summary>{count(remarks.length, "remark")}</summary>
+              {rest}
+            </details>
+          ) : (
+            rest
+          )}
         </div>
         <CloseButton size="sm" aria-label="Close the message" onClick={() => notice.set(null)} />
       </div>
