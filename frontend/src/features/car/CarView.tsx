@@ -11,7 +11,7 @@ import { cursor, useCursor } from "../../lab/cursor";
 import type { ResultView } from "../../lab/resultView";
 import classes from "./car.module.css";
 import { Lane, Arrow } from "./Lane";
-import { restingCursor, dimensionsOf, scaleOf } from "./geometry";
+import { restingCursor, dimensionsOf, scaleOf, seenRoad } from "./geometry";
 import { Card } from "../../ui/Card";
 import { formatExact, formatNumber } from "../../units/format";
 import { valueAt } from "../../lib/samples";
@@ -130,6 +130,7 @@ interface Props {
 export function Key({ resultView, width, exaggeration }: Props) {
   const size = dimensionsOf(resultView.shown.scenario, { front: null, rear: null });
   const length = scaleOf(width, exaggeration, size).newton * size.forceLimit;
+  const isSeenElsewhere = resultView.strategies.some((each) => seenRoad(resultView.shown.scenario, each, 1) !== null);
   return (
     <Group
       component="span"
@@ -138,11 +139,13 @@ export function Key({ resultView, width, exaggeration }: Props) {
       pos="absolute"
       bottom="0.1rem"
       right="0.5rem"
+      maw="calc(100% - 1rem)"
       px="0.3rem"
       fz="xs"
       c="dimmed"
       className={classes.key}
     >
+      {isSeenElsewhere && "dashed: the road as previewed · "}
       {size.reboundRatio !== 1 && `dampers: rebound ${formatNumber(size.reboundRatio)} × compression · `}
       heights × {exaggeration} · force {formatExact(size.forceLimit / 1000, "kN")} =
       <svg width={length} height={8} aria-hidden>

@@ -23,9 +23,11 @@ import {
   HEIGHT,
   roofOf,
   scaleOf,
+  seenRoad,
   shiftInto,
   type DrawnAxle,
   type DrawnCar,
+  type SeenRoad,
 } from "./geometry";
 
 interface Props {
@@ -49,6 +51,7 @@ export function Lane({ resultView, strategy, width, exaggeration }: Props) {
   const pose = poseOf(resultView, strategy.id, at);
   if (!pose || width === 0) return <div className={classes.lane} style={{ height: HEIGHT }} />;
   const car = drawnCar(pose, size, scale);
+  const seen = seenRoad(resultView.shown.scenario, strategy, pose.speed);
   const others = resultView.strategies.filter(({ id }) => id !== strategy.id);
 
   return (
@@ -62,7 +65,7 @@ export function Lane({ resultView, strategy, width, exaggeration }: Props) {
       >
         <g transform={`translate(0 ${shiftInto(car, scale, roofOf(size))})`}>
           <g transform={`translate(${scale.frontX - pose.position * metre} ${GROUND})`}>
-            <Road resultView={resultView} strategy={strategy} wheelbase={size.wheelbase} metre={metre} rise={rise} />
+            <Road {...{ resultView, strategy, metre, rise, seen }} wheelbase={size.wheelbase} />
           </g>
           {others.map(({ id, colour }) => {
             const other = poseOf(resultView, id, at);
@@ -139,25 +142,45 @@ interface RoadProps extends Pick<Props, "resultView" | "strategy"> {
   readonly wheelbase: number;
   readonly metre: number;
   readonly rise: number;
+  readonly seen: SeenRoad | null;
 }
 
-function Road({ resultView, strategy, wheelbase, metre, rise }: RoadProps) {
+/** The road, and dashed over it where the controller believes it to be. */
+function Road({ resultView, strategy, wheelbase, metre, rise, seen }: RoadProps) {
   const series = resultView.series[strategy.id];
-  return useMemo(() => {
+  const [points, road] = useMemo(() => {
     const profile = series ? roadProfile(series, wheelbase) : [];
-    const points = profile.map(([x, z]) => `${(x * metre).toFixed(1)},${(-z * rise).toFixed(2)}`).join(" ");
+    const line = profile.map(([x, z]) => `${(x * metre).toFixed(1)},${(-z * rise).toFixed(2)}`).join(" ");
     const [start, end] = [profile[0]?.[0] ?? 0, profile.at(-1)?.[0] ?? 0];
-    return (
+    const drawn = (
       <>
         <polygon
-          points={`${start * metre},${3 * HEIGHT} ${points} ${end * metre},${3 * HEIGHT}`}
+          points={`${start * metre},${3 * HEIGHT} ${line} ${end * metre},${3 * HEIGHT}`}
           fill="var(--line)"
           fillOpacity={0.55}
         />
-        <polyline points={points} fill="none" stroke="var(--muted)" strokeWidth={2} strokeLinejoin="round" />
+        <polyline points={line} fill="none" stroke="var(--muted)" strokeWidth={2} strokeLinejoin="round" />
       </>
     );
+    return [line, drawn] as const;
   }, [series, wheelbase, metre, rise]);
+  return (
+    <>
+      {road}
+      {seen && (
+        <polyline
+          data-seen
+          points={points}
+          transform={`translate(${seen.shift * metre} 0) scale(1 ${seen.gain})`}
+          fill="none"
+          stroke={strategy.colour}
+          strokeWidth={1.6}
+          strokeDasharray="5 4"
+          vectorEffect="non-scaling-stroke"
+        />
+      )}
+    </>
+  );
 }
 
 interface WheelProps {

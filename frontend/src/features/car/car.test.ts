@@ -10,6 +10,7 @@ import {
   GROUND,
   roofOf,
   scaleOf,
+  seenRoad,
   shiftInto,
 } from "./geometry";
 
@@ -123,4 +124,16 @@ describe("the drawn car", () => {
     expect(windowPath(van, 40).match(/M/g)).toHaveLength(1);
     expect(roofOf(van)).toBeGreaterThan(roofOf(car));
   });
+});
+
+it("The road that a controller believes in lies elsewhere where its preview errs, and is none without a preview", () => {
+  const erring = {
+    mpc: { preview: "lookahead" },
+    mismatch: { preview_offset: 0.5, preview_delay: 0.1, preview_gain: 0.8 },
+  };
+  const lv = { reads: ["mpc.preview", "mismatch"] };
+  expect(seenRoad(erring, lv, 10)).toEqual({ shift: 1.5, gain: 0.8 });
+  expect(seenRoad({ ...erring, mismatch: {} }, lv, 10)).toBeNull();
+  expect(seenRoad({ ...erring, mpc: { preview: "none" } }, lv, 10)).toBeNull();
+  expect(seenRoad(erring, { reads: ["lqr"] }, 10)).toBeNull();
 });

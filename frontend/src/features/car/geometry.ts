@@ -1,8 +1,8 @@
 /** Where the car's parts are, from the time histories (heights are deviations from standing still), and on the screen [px], y downwards. */
 
 import type { Series } from "../../api/decode";
-import type { Scenario } from "../../api/types";
-import { numberAt } from "../../scenario/path";
+import type { Scenario, Strategy } from "../../api/types";
+import { getAt, numberAt } from "../../scenario/path";
 import { valueAt } from "../../lib/samples";
 import type { Axis } from "../../lab/address";
 import { axisKey, type ResultView } from "../../lab/resultView";
@@ -73,6 +73,23 @@ export function roadProfile(series: Series, wheelbase: number): readonly (readon
   const behind = Array.from(position, (x, i) => [x - wheelbase, rear[i] ?? 0] as const).filter(([x]) => x < 0);
   const roadPoints = Array.from(position, (x, i) => [x, front[i] ?? 0] as const);
   return [...behind, ...roadPoints];
+}
+
+/** Where a strategy's preview places the road, where that is elsewhere; noise and resolution have no place. */
+export interface SeenRoad {
+  /** Seen so much too far away [m]. */
+  readonly shift: number;
+  /** Heights seen over the true ones. */
+  readonly gain: number;
+}
+
+/** `null` where nothing of the road ahead is seen, or all of it as it is. */
+export function seenRoad(scenario: Scenario, { reads }: Pick<Strategy, "reads">, speed: number): SeenRoad | null {
+  const ours = ["mpc", "lqr"].find((part) => reads.some((each) => each === part || each === `${part}.preview`));
+  if (ours === undefined || getAt(scenario, `/${ours}/preview`) !== "lookahead") return null;
+  const error = (name: string, otherwise: number) => numberAt(scenario, `/mismatch/preview_${name}`, otherwise);
+  const seen = { shift: error("offset", 0) + error("delay", 0) * speed, gain: error("gain", 1) };
+  return seen.shift === 0 && seen.gain === 1 ? null : seen;
 }
 
 /** Where the car stands until somebody moves the cursor: on its way up the bump. */
