@@ -1,16 +1,7 @@
 /** What stays from page to page: name, navigation, the colour scheme, and what is wrong with the connection. */
 
 import { Link, Outlet, useRouter } from "@tanstack/react-router";
-import {
-  type ComponentProps,
-  useMemo,
-  useState,
-  lazy,
-  type ReactNode,
-  useCallback,
-  useEffect,
-  useEffectEvent,
-} from "react";
+import { type ComponentProps, useMemo, useState, lazy, useCallback, useEffect, useEffectEvent } from "react";
 import { Box, Button, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
 import { useLabContext } from "../lab/context";
@@ -19,7 +10,7 @@ import { Nav } from "./Nav";
 import { SlotsContext, Blank } from "../ui/Page";
 import classes from "../ui/shell.module.css";
 import ui from "../ui/ui.module.css";
-import { tokenWanted, connection, probe, type Readiness, type Trouble } from "../api/connection";
+import { tokenWanted, connection, probe, type Connection, type Readiness } from "../api/connection";
 import { useSelector } from "@tanstack/react-store";
 import { LazyPart } from "../ui/LazyPart";
 import { firstCurves } from "../lib/firstCurves";
@@ -35,33 +26,36 @@ function focusMain() {
 }
 
 export function Shell() {
-  const { lab } = useLabContext();
   const [tools, setTools] = useState<HTMLElement | null>(null);
   const [notices, setNotices] = useState<HTMLElement | null>(null);
   const slots = useMemo(() => ({ tools, notices }), [tools, notices]);
+  if (useSelector(tokenWanted))
+    return (
+      <LazyPart>
+        <Login />
+      </LazyPart>
+    );
   return (
-    <LoginGate>
-      <SlotsContext value={slots}>
-        <div className={classes.shell}>
-          <button type="button" className={classes.skip} data-unprinted onClick={focusMain}>
-            Skip to the page’s content
-          </button>
-          <header className={classes.header} data-unprinted>
-            <Nav />
-            <div className={classes.tools} ref={setTools} />
-            <LazyPart>
-              <HeaderEnd />
-            </LazyPart>
-          </header>
-          <Outlet />
-          <Keyboard />
-          <div className={classes.notices} data-unprinted>
-            <div style={{ display: "contents" }} ref={setNotices} />
-            <ConnectionBanner onBack={lab.resume} />
-          </div>
+    <SlotsContext value={slots}>
+      <div className={classes.shell}>
+        <button type="button" className={classes.skip} data-unprinted onClick={focusMain}>
+          Skip to the page’s content
+        </button>
+        <header className={classes.header} data-unprinted>
+          <Nav />
+          <div className={classes.tools} ref={setTools} />
+          <LazyPart>
+            <HeaderEnd />
+          </LazyPart>
+        </header>
+        <Outlet />
+        <Keyboard />
+        <div className={classes.notices} data-unprinted>
+          <div style={{ display: "contents" }} ref={setNotices} />
+          <ConnectionBanner />
         </div>
-      </SlotsContext>
-    </LoginGate>
+      </div>
+    </SlotsContext>
   );
 }
 
@@ -141,18 +135,6 @@ export function PageFailed({ error }: { readonly error: unknown }) {
 const HeaderEnd = lazy(async () => ({ default: (await firstCurves.then(() => import("./headerParts"))).HeaderEnd }));
 const Login = lazy(async () => ({ default: (await import("./Login")).Login }));
 
-/** The page, or what asks for a token where the service wants one. */
-function LoginGate({ children }: { readonly children: ReactNode }) {
-  if (!useSelector(tokenWanted)) {
-    return children;
-  }
-  return (
-    <LazyPart>
-      <Login />
-    </LazyPart>
-  );
-}
-
 const FIRST_WAIT_S = 1;
 const LONGEST_WAIT_S = 8;
 
@@ -162,27 +144,21 @@ const MESSAGE: Readonly<Record<Readiness, string>> = {
   ready: "The server is busy. Your edits are not lost.",
 };
 
-/** `onBack` asks again for what queries do not hold. */
-function ConnectionBanner({ onBack }: { readonly onBack: () => void }) {
+function ConnectionBanner() {
+  const { lab } = useLabContext();
   const { trouble, wait } = useSelector(connection);
   const queries = useQueryClient();
   const isAway = trouble !== null;
   // Whichever request is answered first: the probe here, or one of a page.
   const askAgain = useEffectEvent(() => {
-    onBack();
+    lab.resume(); // for what queries do not hold
     void queries.refetchQueries({ predicate: ({ state }) => isTransient(state.error) });
   });
   useEffect(() => (isAway ? () => askAgain() : undefined), [isAway]);
-  return trouble === null ? null : <Reconnecting trouble={trouble} requestedWait={wait} />;
+  return trouble === null ? null : <Reconnecting {...{ trouble, wait }} />;
 }
 
-interface Props {
-  readonly trouble: Trouble;
-  /** Seconds the server asked to wait. */
-  readonly requestedWait: number;
-}
-
-function Reconnecting({ trouble, requestedWait }: Props) {
+function Reconnecting({ trouble, wait: requestedWait }: Connection) {
   const [attempt, setAttempt] = useState(0);
   const [wait, setWait] = useState(Math.max(FIRST_WAIT_S, requestedWait));
   const [readiness, setReadiness] = useState<Readiness>(trouble === "busy" ? "ready" : "down");

@@ -31,6 +31,7 @@ import ui from "../../ui/ui.module.css";
 import { Choice } from "../../ui/Entry";
 
 const STRATEGY = "strategy:";
+const BESIDE = { gap: "0.4rem", wrap: "nowrap", fz: "xs", c: "dimmed" } as const;
 
 export function CompareBar({ resultView }: { readonly resultView: ResultView }) {
   const { labAddress } = useLabContext();
@@ -69,7 +70,7 @@ function AgainstSelect({ resultView: { strategies, pins, before, reference, base
   const selected =
     reference === null ? `${STRATEGY}${baseline}` : reference === before ? "before" : referenceTo(reference);
   return (
-    <Group component="label" gap="0.4rem" wrap="nowrap" fz="xs" c="dimmed">
+    <Group component="label" {...BESIDE}>
       Change against
       <Choice
         value={selected}
@@ -150,10 +151,7 @@ function SpeedSelect() {
   return (
     <Group
       component="label"
-      gap="0.4rem"
-      wrap="nowrap"
-      fz="xs"
-      c="dimmed"
+      {...BESIDE}
       data-hint="Planned: all slow down for the bump. Constant: none does. At equal speed, the remaining difference comes from the suspension"
     >
       {field.title}

@@ -1,7 +1,14 @@
 /** What the shown result is compared with, for the result view. */
 
 import { useMemo, useCallback } from "react";
-import { useQueries, useQueryClient, type QueryClient, useQuery, type UseQueryResult } from "@tanstack/react-query";
+import {
+  queryOptions,
+  useQueries,
+  useQueryClient,
+  type QueryClient,
+  useQuery,
+  type UseQueryResult,
+} from "@tanstack/react-query";
 import {
   type Compared,
   type Variant,
@@ -73,6 +80,14 @@ export async function loadPinned(
   return fromRun(run, await historiesOf(run, queries, api.series, signal), 0, true);
 }
 
+const pinnedQuery = (run: string, roads: number | null, queries: QueryClient) =>
+  queryOptions({
+    queryKey: [...pinnedKey(run), roads],
+    queryFn: ({ signal }) => loadPinned(run, roads, queries, signal),
+    staleTime: Infinity,
+    structuralSharing: false,
+  });
+
 /** The pinned variants: one's own, or those of the link that is shown; each with its result once that is there. */
 export function usePins(): readonly PinnedRun[] {
   const queries = useQueryClient();
@@ -82,12 +97,7 @@ export function usePins(): readonly PinnedRun[] {
   const roads = shared ? null : lab; // a link's pins are as they were shared
   const pins: readonly Pin[] = shared ? (shared.view.pins ?? []) : own;
   return useQueries({
-    queries: pins.map(({ run }) => ({
-      queryKey: [...pinnedKey(run), roads],
-      queryFn: ({ signal }: { readonly signal: AbortSignal }) => loadPinned(run, roads, queries, signal),
-      staleTime: Infinity,
-      structuralSharing: false,
-    })),
+    queries: pins.map(({ run }) => pinnedQuery(run, roads, queries)),
     combine: (results) =>
       pins.map((pin, index): PinnedRun => {
         const { data: shown = null, error = null } = results[index] ?? {};
@@ -116,13 +126,7 @@ export function useBefore(): Variant | null {
   const isShown = useSelector(beforeShown);
   const id = before?.runId ?? "";
   const isUnlike = before !== null && roadsOf(before) !== roads;
-  const { data } = useQuery({
-    queryKey: [...pinnedKey(id), roads],
-    queryFn: ({ signal }) => loadPinned(id, roads, queries, signal),
-    enabled: isShown && isUnlike && id !== "",
-    staleTime: Infinity,
-    structuralSharing: false,
-  });
+  const { data } = useQuery({ ...pinnedQuery(id, roads, queries), enabled: isShown && isUnlike && id !== "" });
   const shown = isUnlike ? (data ?? before) : before;
   const name = useMemo(() => (before && isUndone(before, history) ? BEFORE_UNDO : BEFORE_EDIT), [before, history]);
   return useMemo(() => shown && { name, shown }, [name, shown]);
