@@ -22,7 +22,7 @@ interface Cost {
 }
 
 interface Props<Estimate extends Cost> {
-  readonly submission: JobFormState<Estimate>;
+  readonly submission: ReturnType<typeof useJobForm<never, never, Estimate>>;
   readonly draft: Pick<Draft<unknown>, "isEdited" | "reset">;
   /** How much it is, such as `12 runs`. */
   readonly amount: (estimate: Estimate) => string;
@@ -55,7 +55,17 @@ export function StartFoot<Estimate extends Cost>({
         {estimate && notes?.(estimate).map((note) => <Note key={note}>{note}.</Note>)}
       </Box>
       <Group gap="xs" wrap="nowrap" ml="auto">
-        <ResetDraft isEdited={draft.isEdited} onReset={draft.reset} />
+        {/* It stays where there is nothing to reset: a button that went away would take the keyboard's place with it. */}
+        <Button
+          size="sm"
+          variant="subtle"
+          color="gray"
+          ml="auto"
+          type="button"
+          {...(draft.isEdited ? { onClick: draft.reset } : { "aria-disabled": true, "data-disabled": true })}
+        >
+          Reset
+        </Button>
         {children}
         <Button
           size="sm"
@@ -68,22 +78,6 @@ export function StartFoot<Estimate extends Cost>({
         </Button>
       </Group>
     </div>
-  );
-}
-
-/** It stays where there is nothing to reset: a button that went away would take the keyboard's place with it. */
-function ResetDraft({ isEdited, onReset }: { readonly isEdited: boolean; readonly onReset: () => void }) {
-  return (
-    <Button
-      size="sm"
-      variant="subtle"
-      color="gray"
-      ml="auto"
-      type="button"
-      {...(isEdited ? { onClick: onReset } : { "aria-disabled": true, "data-disabled": true })}
-    >
-      Reset
-    </Button>
   );
 }
 
@@ -105,24 +99,12 @@ interface JobFormOptions<Read, Body, Estimate> {
 
 type Started<Body> = { readonly body: Body } & Pick<JobFormOptions<never, Body, unknown>, "onSubmitted">;
 
-interface JobFormState<Estimate> {
-  readonly errors: DraftErrors;
-  readonly general: readonly string[];
-  readonly estimate: Estimate | undefined;
-  readonly pending: boolean;
-  readonly starting: boolean;
-  /** Begins it, where an estimate says that it can be and it has not begun. */
-  readonly start: () => void;
-}
-
 /** 128 random bits; `crypto.randomUUID` is missing where the page is not a secure context. */
 function randomKey(): string {
   return Array.from(crypto.getRandomValues(new Uint8Array(16)), (byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
-export function useJobForm<Read, Body, Estimate>(
-  submission: JobFormOptions<Read, Body, Estimate>,
-): JobFormState<Estimate> {
+export function useJobForm<Read, Body, Estimate>(submission: JobFormOptions<Read, Body, Estimate>) {
   const { parsed } = submission;
   const body = parsed.ok ? submission.bodyOf(parsed.body) : null;
   const text = body === null ? "" : JSON.stringify(body);
@@ -162,6 +144,7 @@ export function useJobForm<Read, Body, Estimate>(
     estimate: shown,
     pending: text !== "" && (!isUpToDate || estimate.isFetching),
     starting: started.isPending,
+    /** Begins it, where an estimate says that it can be and it has not begun. */
     start: () => {
       const { onSubmitted } = submission;
       if (body !== null && shown !== undefined && !started.isPending)

@@ -85,6 +85,16 @@ export function Estimated({ value, interval, scale, isBest = false }: EstimatedP
   );
 }
 
+const CAVEAT = {
+  display: "inline-flex",
+  mih: 24,
+  maw: "100%",
+  c: "var(--worse)",
+  fz: "inherit",
+  fw: 500,
+  style: { gap: 3, alignItems: "center", textAlign: "inherit", cursor: "help" },
+} as const;
+
 interface CaveatMarkProps {
   readonly caveats: readonly Caveat[];
   readonly short?: boolean;
@@ -99,7 +109,7 @@ export function CaveatMark({ caveats, short = false }: CaveatMarkProps) {
     <UnstyledButton
       data-hint={meaning}
       data-hint-only
-      className={classes.caveat ?? ""}
+      {...CAVEAT}
       data-caveat={caveats.map(({ event }) => event).join(" ")}
     >
       <Icon name="AlertTriangle" size={short ? 14 : 12} />

@@ -7,6 +7,7 @@ import { CURRENT, byStrategy, entryGroups, lowestOf, type Entry, changeOf, inter
 import { type WindowMetric, metricName, valueAt, type MetricPath } from "../../lab/metricPath";
 import classes from "./tables.module.css";
 import { SolveButton } from "../solve/SolveButton";
+import { Fault } from "../../ui/Messages";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { ManualLink } from "../../ui/ManualLink";
 import { ChangeText, Estimated, CaveatMark } from "./ChangeMark";
@@ -158,9 +159,9 @@ export function EntryHead({
         <strong>
           <StrategyName strategy={strategy} />
         </strong>
-        <span role="alert" className={classes.fault}>
+        <Fault span style={{ overflowWrap: "anywhere" }}>
           {fault}
-        </span>
+        </Fault>
       </span>
     );
   return (

@@ -24,6 +24,7 @@ import { DataTable, type Column } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
 import {
   entryGroups,
+  showValue,
   isRandom,
   lowestOf,
   VIEWS,
@@ -35,7 +36,7 @@ import {
   intervalAt,
 } from "./entries";
 import { useLabels, useCatalogue } from "../../server/useCatalogues";
-import { formatNumber, formatResult, prettyUnit } from "../../units/format";
+import { prettyUnit } from "../../units/format";
 import { ChangeText, Estimated } from "./ChangeMark";
 import { metricName, valueAt, type MetricPath } from "../../lab/metricPath";
 import { StrategyName } from "../../ui/StrategyKey";
@@ -179,8 +180,6 @@ function NarrowTable({ resultView, words, signals, view: { window, statistic }, 
   );
 }
 
-type Value = number | boolean | null | undefined;
-
 interface Row {
   readonly quantity: Quantity;
   /** Where its number stands; an event has none. */
@@ -199,14 +198,6 @@ function rows(catalogue: Catalogue): readonly Row[] {
     })),
     ...catalogue.events.map((quantity) => ({ quantity, metric: null, judged: false })),
   ];
-}
-
-function show(value: Value): string {
-  if (typeof value === "boolean") return value ? "yes" : "no";
-  if (typeof value !== "number") return "–";
-  return Number.isInteger(value)
-    ? formatNumber(value, Math.max(1, String(Math.abs(value)).length))
-    : formatResult(value);
 }
 
 function RunTable({ resultView }: { readonly resultView: ResultView }) {
@@ -255,7 +246,7 @@ function RunCell({ resultView, entry, row: { quantity, metric, judged } }: RunCe
       {interval ? (
         <Estimated value={interval.mean} interval={interval} scale={1} />
       ) : (
-        <span className={classes.value}>{show(value)}</span>
+        <span className={classes.value}>{showValue(value)}</span>
       )}
       {judged && metric && !entry.isBaseline && <ChangeText change={changeOf(resultView, entry, metric)} />}
       <RequirementMarks

@@ -16,6 +16,7 @@ import type { Result } from "../../lab/result";
 import { valueAt, type MetricPath, type WindowMetric } from "../../lab/metricPath";
 import { pointerOf } from "../../scenario/fields";
 import { getAt } from "../../scenario/path";
+import { formatNumber, formatResult } from "../../units/format";
 import { changeAgainst, pairedChange, type Change } from "./change";
 
 export interface Entry {
@@ -203,3 +204,12 @@ export const VIEWS: readonly WindowView[] = [
 /** The paper's eight metrics. */
 export const comparedMetrics = ({ paper_signals }: Pick<Catalogue, "paper_signals">): readonly WindowMetric[] =>
   VIEWS.flatMap((view) => paper_signals.map((signal) => ({ ...view, signal })));
+
+/** A number or an event of a run: whole numbers stay whole. */
+export function showValue(value: number | boolean | null | undefined): string {
+  if (typeof value === "boolean") return value ? "yes" : "no";
+  if (typeof value !== "number") return "–";
+  return Number.isInteger(value)
+    ? formatNumber(value, Math.max(1, String(Math.abs(value)).length))
+    : formatResult(value);
+}

@@ -3,7 +3,7 @@
 import { Button, Skeleton, Stack, Switch, Text } from "@mantine/core";
 import { Icon } from "../../ui/icons";
 import { queryOptions, useQuery } from "@tanstack/react-query";
-import { useState } from "react";
+import { useState, type ReactNode } from "react";
 import { ask } from "../../api/http";
 import type { ControllerReport, Scenario } from "../../api/types";
 import { formatPercent } from "../../features/tables/change";
@@ -157,7 +157,16 @@ function costColumns({ part, rows, sample_time: step }: ControllerReport): reado
       detail: `of ${formatTime(step)}`,
       cell: (row) => formatEnds(row.time, formatTime),
     },
-    { key: "fits", head: "Fits", cell: (row) => <Fits fits={row.fits} reasons={row.reasons} /> },
+    {
+      key: "fits",
+      head: "Fits",
+      cell: ({ fits, reasons }) => (
+        <Judged good={fits} title={reasons.join("\n")}>
+          {fits ? "yes" : "no"}
+          {!fits && <span className="visually-hidden">: {reasons.join("; ")}</span>}
+        </Judged>
+      ),
+    },
   ];
 }
 
@@ -181,14 +190,18 @@ const lossColumns = (words: Labels) =>
 
 const shownChange = (change: number | null | undefined) => (typeof change === "number" ? formatPercent(change) : "–");
 
-function Fits({ fits, reasons }: { readonly fits: boolean; readonly reasons: readonly string[] }) {
-  return (
-    <span className={fits ? ui.good : ui.warning} title={reasons.join("\n")}>
-      <Icon name={fits ? "Check" : "AlertTriangle"} size={14} className={ui.inline} /> {fits ? "yes" : "no"}
-      {!fits && <span className="visually-hidden">: {reasons.join("; ")}</span>}
-    </span>
-  );
+interface JudgedProps {
+  readonly good: boolean;
+  readonly title?: string;
+  readonly children: ReactNode;
 }
+
+/** A sign and a word, which the colour repeats. */
+export const Judged = ({ good, title, children }: JudgedProps) => (
+  <span className={good ? ui.good : ui.warning} title={title}>
+    <Icon name={good ? "Check" : "AlertTriangle"} size={14} className={ui.inline} /> {children}
+  </span>
+);
 
 interface LossProps {
   readonly changes: Readonly<Record<string, number | null>>;

@@ -2,16 +2,15 @@
 
 import { Anchor, Text, Box, Group, SegmentedControl } from "@mantine/core";
 import { Link } from "@tanstack/react-router";
-import { Icon } from "../../ui/icons";
 import type { Catalogue, Strategy, Summary, FigureTemplate, FigureTemplates, Run } from "../../api/types";
 import { useLabels, type Labels, useCatalogue, useFigures } from "../../server/useCatalogues";
-import { comparedMetrics, VIEWS } from "../../features/tables/entries";
+import { comparedMetrics, showValue, VIEWS } from "../../features/tables/entries";
 import { metricName, valueAt, type WindowMetric } from "../../lab/metricPath";
 import { ValueAndChange } from "../../features/tables/ChangeMark";
 import { formatPercent, changeAgainst } from "../../features/tables/change";
+import { Judged } from "./BuildReport";
 import { StrategyName, NameWithUnit } from "../../ui/StrategyKey";
-import tables from "../../features/tables/tables.module.css";
-import { NO_VALUE, formatResult, formatWhole, prettyUnit } from "../../units/format";
+import { NO_VALUE, formatResult, prettyUnit } from "../../units/format";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Card, Columns } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
@@ -101,24 +100,15 @@ function columnsOf(strategies: readonly Strategy[], words: Labels): readonly Col
       key: "within",
       head: <>Within ±{RULE_PERCENT}&nbsp;%</>,
       attributes: ({ within }) => ({ "data-within": within ?? "" }),
-      cell: (row) => <Verdict row={row} />,
+      cell: ({ within, change }) =>
+        within === null || change === null ? (
+          NO_VALUE
+        ) : (
+          <Judged good={within}>{within ? "yes" : `no, ${formatPercent(change)}`}</Judged>
+        ),
     },
   ];
 }
-
-function Verdict({ row: { within, change } }: { readonly row: HilRow }) {
-  if (within === null || change === null) return <span className={tables.change}>–</span>;
-  return (
-    <span className={within ? ui.good : ui.warning}>
-      <Icon name={within ? "Check" : "AlertTriangle"} size={14} className={ui.inline} />{" "}
-      {within ? "yes" : `no, ${formatPercent(change)}`}
-    </span>
-  );
-}
-
-/** Whole numbers stay whole. */
-const shownEvent = (value: number | boolean | null | undefined) =>
-  typeof value !== "number" ? String(value) : Number.isInteger(value) ? formatWhole(value) : formatResult(value);
 
 /** What the loop itself met: held commands, unfinished iterations, clipped values. */
 function EcuEvents({ summary, catalogue }: { readonly summary: Summary | undefined; readonly catalogue: Catalogue }) {
@@ -132,7 +122,7 @@ function EcuEvents({ summary, catalogue }: { readonly summary: Summary | undefin
         <div key={key} title={description}>
           <dt>{label}</dt>
           <dd>
-            {shownEvent(summary.events[key])} {prettyUnit(unit)}
+            {showValue(summary.events[key])} {prettyUnit(unit)}
           </dd>
         </div>
       ))}

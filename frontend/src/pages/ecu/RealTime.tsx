@@ -2,7 +2,7 @@
 
 import { Box, Button, Group, Progress, SegmentedControl, Stack, Text } from "@mantine/core";
 import { useMutation, useQuery } from "@tanstack/react-query";
-import { useEffect, useMemo, useState } from "react";
+import { useMemo, useState } from "react";
 import { ask } from "../../api/http";
 import { isTransient } from "../../api/problem";
 import type { RealtimeReport, Scenario, Times } from "../../api/types";
@@ -15,6 +15,7 @@ import { formatPercent } from "../../features/tables/change";
 import { VIEWS } from "../../features/tables/entries";
 import { count, formatNumber, formatWhole } from "../../units/format";
 import { formatTime } from "./BuildReport";
+import { useElapsed } from "../../lib/useElapsed";
 import { DataTable } from "../../ui/DataTable";
 import { Fault, Note } from "../../ui/Messages";
 import { Card } from "../../ui/Card";
@@ -77,12 +78,7 @@ const TICK_MS = 250;
 const BEFORE_S = 1;
 
 function Waiting({ seconds }: { readonly seconds: number | undefined }) {
-  const [passed, setPassed] = useState(0);
-  useEffect(() => {
-    const begin = performance.now();
-    const timer = setInterval(() => setPassed((performance.now() - begin) / 1000), TICK_MS);
-    return () => clearInterval(timer);
-  }, []);
+  const passed = useElapsed(TICK_MS);
   const whole = seconds === undefined ? undefined : seconds + BEFORE_S;
   return (
     <Stack gap={5}>

@@ -2,10 +2,11 @@
 
 import { Button, Group, Loader, Text } from "@mantine/core";
 import { type UseQueryResult, keepPreviousData, queryOptions } from "@tanstack/react-query";
-import { useEffect, useState, type ReactNode } from "react";
+import { useState, type ReactNode } from "react";
 import { useIntersection } from "@mantine/hooks";
 import { printing } from "../../lib/printing";
 import { useSelector } from "@tanstack/react-store";
+import { useElapsed } from "../../lib/useElapsed";
 import ui from "../../ui/ui.module.css";
 import { Note } from "../../ui/Messages";
 import { ask, query } from "../../api/http";
@@ -22,11 +23,7 @@ interface WaitingProps {
 const TELL_AFTER_S = 2;
 
 export function Waiting({ what, height }: WaitingProps) {
-  const [seconds, setSeconds] = useState(0);
-  useEffect(() => {
-    const tick = setInterval(() => setSeconds((before) => before + 1), 1000);
-    return () => clearInterval(tick);
-  }, []);
+  const seconds = Math.floor(useElapsed(1000));
   return (
     <Group className={ui.card ?? ""} justify="center" align="start" mih={height} p="3rem 1rem" data-unprinted aria-busy>
       <Group gap="0.9rem" align="start" wrap="nowrap" maw="32rem" pos="sticky" top="40vh">

@@ -41,12 +41,10 @@ export function Conclusion({ tuning, objectives, figures }: Props) {
     <Card aria-label="Conclusion">
       <Stack component="ul" className={ui.list ?? ""} gap="0.3rem" p="0.6rem 0.9rem">
         {gains.map((gain) => (
-          <GainLine
-            key={gain.objective}
-            gain={gain}
-            label={objectives.length > 1 ? (objectives[gain.objective]?.label ?? "") : ""}
-            price={priceText(gain, nameOf)}
-          />
+          <SignedLine key={gain.objective} keeps={gain.keeps}>
+            {objectives.length > 1 && <strong>{objectives[gain.objective]?.label}: </strong>}
+            {gain.text} {priceText(gain, nameOf)}
+          </SignedLine>
         ))}
         {comparison.points.flatMap(({ trial, failures }) =>
           failures.map((failure) => (
@@ -108,22 +106,6 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
         arrow stands only where the interval does not hold zero.
       </Note>
     </Card>
-  );
-}
-
-interface GainLineProps {
-  readonly gain: Gain;
-  readonly label: string;
-  /** What got worse for it. */
-  readonly price: string;
-}
-
-function GainLine({ gain: { keeps, text }, label, price }: GainLineProps) {
-  return (
-    <SignedLine keeps={keeps}>
-      {label !== "" && <strong>{label}: </strong>}
-      {text} {price}
-    </SignedLine>
   );
 }
 
