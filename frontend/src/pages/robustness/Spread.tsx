@@ -73,11 +73,9 @@ interface Row {
   readonly results: FigureSummary;
 }
 
-interface Context {
-  readonly summary: BatchSummary;
+interface Context extends Pick<Props, "summary" | "opening"> {
   readonly shownGroup: string;
   readonly against: string;
-  readonly opening: Opening;
 }
 
 const PERCENTS = { Median: 50, "5 %": 5, "95 %": 95 };

@@ -39,31 +39,18 @@ export function PointsPlot({ batch, columns, strategies, visible, shown, best, h
   );
   const xScale = tradeOff ? versus.scale : 1;
   const { fields, sweep } = batch;
-  const points = useMemo(
-    () =>
-      pointsOf(
-        columns,
-        visible.map(({ id }) => id),
-        x.name,
-        y.key,
-        y.scale,
-        xScale,
-      ),
-    [columns, visible, x, y, xScale],
-  );
+  const points = useMemo(() => {
+    const ids = visible.map(({ id }) => id);
+    return pointsOf(columns, ids, x.name, y.key, y.scale, xScale);
+  }, [columns, visible, x, y, xScale]);
   const front = useMemo(() => (tradeOff ? frontOf(points).map(({ row }) => row) : NONE), [tradeOff, points]);
   const axes = useMemo(() => axesOf(fields), [fields]);
   const curves = axes.length === 1;
   const joined = !tradeOff && (curves || Boolean(sweep.grid));
   const draw = useMemo(() => {
     const others = axes.filter(({ name }) => name !== x.name);
-    const lines = joined
-      ? linesOf(
-          columns,
-          points,
-          others.map(({ name }) => name),
-        )
-      : [];
+    const names = others.map(({ name }) => name);
+    const lines = joined ? linesOf(columns, points, names) : [];
     const labelOf = (row: number) =>
       others.map(({ name, unit }) => showCell(cell(columns, name, row), unit)).join(", ");
     const isHollow = (row: number) => isAirborne(columns, row);

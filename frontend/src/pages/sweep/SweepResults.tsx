@@ -8,7 +8,6 @@ import { paperMetrics, fullName } from "../../server/metrics";
 import {
   batchRequirementsQuery,
   cell,
-  textCell,
   lowest,
   REQUIRED,
   rowsOf,
@@ -74,12 +73,8 @@ export function BatchResults({ batch: stored, view, onView }: Pick<SweepParts, "
   const visible = useMemo(() => strategies.filter(({ id }) => !view.hidden.includes(id)), [strategies, view.hidden]);
   const best = useMemo(() => {
     if (!y) return null;
-    const ids = visible.map(({ id }) => id);
-    return lowest(
-      columns,
-      rowsOf(columns, (row) => ids.includes(textCell(columns, "strategy", row))),
-      y.key,
-    );
+    const rows = rowsOf(columns, (row) => visible.some(({ id }) => id === cell(columns, "strategy", row)));
+    return lowest(columns, rows, y.key);
   }, [columns, visible, y]);
 
   const opening = useOpenRun(batch);

@@ -3,16 +3,7 @@
 import { usePageScenario } from "../../features/scenarioSource/scenarioSource";
 import { Page } from "../../ui/Page";
 import ui from "../../ui/ui.module.css";
-import {
-  useNumericCatalogues,
-  ofLimit,
-  ofObjective,
-  isTunable,
-  numberFields,
-  reads,
-  tunableOf,
-  type TunableNumber,
-} from "./space";
+import { useNumericCatalogues, isTunable, numberFields, reads, tunableOf, type TunableNumber, shownOf } from "./space";
 import type { Scenario } from "../../api/types";
 import type { Metric } from "../../server/metrics";
 import { JobList } from "../../jobs/Jobs";
@@ -57,8 +48,8 @@ function TuningList() {
       describe={({ strategy, objectives, limits }) => ({
         title: strategies.find(({ id }) => id === strategy)?.label ?? strategy,
         details: [
-          objectives.map((each) => ofObjective(each, figures).label).join(", "),
-          ...(limits.length > 0 ? [`within ${limits.map((each) => ofLimit(each, figures).label).join(", ")}`] : []),
+          objectives.map((each) => shownOf(each, figures).label).join(", "),
+          ...(limits.length > 0 ? [`within ${limits.map((each) => shownOf(each, figures).label).join(", ")}`] : []),
         ],
       })}
     />

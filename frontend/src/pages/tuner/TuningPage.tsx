@@ -16,8 +16,6 @@ import { useStrategies } from "../../server/useCatalogues";
 import { Page } from "../../ui/Page";
 import { useRunInLab } from "../../ui/openInLab";
 import {
-  ofLimit,
-  ofObjective,
   useNumericCatalogues,
   pointsOf,
   type Point,
@@ -25,6 +23,7 @@ import {
   type ShownNumber,
   firstTrial,
   tunableOf,
+  shownOf,
 } from "./space";
 import { Conclusion, ValidationTable } from "./ValidationTable";
 import { PointsTable, PointTable } from "./PointsTable";
@@ -75,10 +74,10 @@ export function TuningPage() {
 function TuningResults({ tuning }: { readonly tuning: Tuning }) {
   const { form, figures } = useNumericCatalogues();
   const objectives = useMemo(
-    () => tuning.objectives.map((each) => ofObjective(each, figures)),
+    () => tuning.objectives.map((each) => shownOf(each, figures)),
     [tuning.objectives, figures],
   );
-  const limits = useMemo(() => tuning.limits.map((each) => ofLimit(each, figures)), [tuning.limits, figures]);
+  const limits = useMemo(() => tuning.limits.map((each) => shownOf(each, figures)), [tuning.limits, figures]);
   const tunable = useMemo(() => tunableOf(form, tuning.strategy), [form, tuning.strategy]);
   const points = useMemo(() => pointsOf(tuning, objectives), [tuning, objectives]);
   const load = useRunInLab(({ weights }: Trial) =>

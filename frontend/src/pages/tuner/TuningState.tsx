@@ -11,7 +11,7 @@ import { jobQuery, isFinal, BATCH, TUNING, useJobCall } from "../../jobs/useJob"
 import { historyOf, JobState } from "../../jobs/Jobs";
 import { useCatalogues } from "../../server/useCatalogues";
 import { count, formatExact, formatWhole, parseInput } from "../../units/format";
-import { ofLimit, ofObjective } from "./space";
+import { shownOf } from "./space";
 import { formatSeeds } from "./draft";
 import { Entry } from "../../ui/Entry";
 import ui from "../../ui/ui.module.css";
@@ -124,7 +124,7 @@ function Facts({ tuning }: Pick<Props, "tuning">) {
   } = tuning;
   const own = (name: string) => name.replace(/\.\d+$/, "");
   const limit = limits.map((each) => {
-    const { label, unit, scale } = ofLimit(each, figures);
+    const { label, unit, scale } = shownOf(each, figures);
     return `${label} at most ${formatExact(Number((each.at_most * scale).toPrecision(10)), unit)}`;
   });
   const facts: readonly (readonly [string, string])[] = [
@@ -134,7 +134,7 @@ function Facts({ tuning }: Pick<Props, "tuning">) {
       objectives
         .map(
           (each) =>
-            ofObjective(each, figures).label +
+            shownOf(each, figures).label +
             (each.kind !== "figure" && each.q.some((q) => q !== 1) ? ` (q ${each.q.join(", ")})` : ""),
         )
         .join("; "),

@@ -217,17 +217,13 @@ export interface ShownNumber {
   readonly scale: number;
 }
 
-const ofFigure = (name: string, figures: readonly Metric[]): ShownNumber | null => {
-  const figure = figures.find(({ key }) => key === name);
-  return figure ? { label: fullName(figure), unit: figure.unit, scale: figure.scale } : null;
-};
-
-export function ofObjective({ figure, label, unit }: Objective, figures: readonly Metric[]): ShownNumber {
-  return (figure === null ? null : ofFigure(figure, figures)) ?? { label, unit, scale: 1 };
-}
-
-export function ofLimit({ figure, label, unit }: Limit, figures: readonly Metric[]): ShownNumber {
-  return ofFigure(figure, figures) ?? { label, unit, scale: 1 };
+/** An objective or a limit; a plain figure by its key. */
+export function shownOf(
+  { figure, label, unit }: Pick<Objective | Limit, "figure" | "label" | "unit">,
+  figures: readonly Metric[],
+): ShownNumber {
+  const metric = figures.find(({ key }) => key === figure);
+  return metric ? { label: fullName(metric), unit: metric.unit, scale: metric.scale } : { label, unit, scale: 1 };
 }
 
 /** A column of the comparison: `objectives.0`, `limits.1`, or a figure's name. */
@@ -237,11 +233,8 @@ export function ofKey(
   figures: readonly Metric[],
 ): ShownNumber {
   const [, list, index] = /^(objectives|limits)\.(\d+)$/.exec(key) ?? [];
-  const objective = list === "objectives" ? objectives[Number(index)] : undefined;
-  const limit = list === "limits" ? limits[Number(index)] : undefined;
-  if (objective) return ofObjective(objective, figures);
-  if (limit) return ofLimit(limit, figures);
-  return ofFigure(key, figures) ?? { label: key, unit: "1", scale: 1 };
+  const named = (list === "objectives" ? objectives : limits)[Number(index)];
+  return shownOf(named ?? { figure: key, label: key, unit: "1" }, figures);
 }
 
 /** What the tuner's pages need of the server: as figures only those that are numbers. */
