@@ -24,7 +24,7 @@ it("shares stack up to the whole gain, and left of zero where a part takes away"
     [-34, 20],
   ]);
   expect([0, 1].map((row) => bars.reduce((sum, { x }) => sum + (x[row] ?? 0), 0))).toEqual([100, 100]);
-  expect(bars[0]?.y).toEqual(["jerk, peak, bump", "travel, peak, bump"]);
+  expect(bars[0]?.y).toEqual(["jerk<br>peak, bump", "travel<br>peak, bump"]);
   expect(layout).toMatchObject({ barmode: "relative", shapes: [{ x0: 100, x1: 100 }] });
 });
 

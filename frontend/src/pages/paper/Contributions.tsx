@@ -180,7 +180,7 @@ function ShareBars({ shares, words }: ShareBarsProps) {
 }
 
 /** Of a figure, and of the axis [px]. */
-const [ROW, AROUND] = [26, 76];
+const [ROW, AROUND] = [36, 76];
 
 const nameOf = (share: Share, words: Pick<Labels, "signal" | "view">) =>
   `${words.signal(share.signal)}, ${words.view(share)}`;
@@ -191,7 +191,8 @@ export function sharesFigure(
   words: Pick<Labels, "signal" | "view">,
   palette: Palette,
 ): ChartFigure {
-  const names = shares.map((share) => nameOf(share, words));
+  // In two lines: on a phone one would leave the bars a third of the width.
+  const names = shares.map((share) => `${words.signal(share.signal)}<br>${words.view(share)}`);
   return {
     data: PARTS.map(({ part, label, colour }) => ({
       type: "bar",
