@@ -25,7 +25,7 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     run = server.post("/runs", {"scenario": SHORT, "strategies": ["lv"]})
     page = dashboard.page
     page.goto(f"/robustness?run={run['id']}")
-    expect(page.get_by_text("Other than the paper: Length 95\u00a0m")).to_be_visible()
+    expect(page.get_by_text("Other than the paper: Road length 95\u00a0m")).to_be_visible()
     for name in ("Skyhook", "Single speed control", "Passive"):
         page.get_by_role("checkbox", name=name).uncheck()
     page.get_by_label("Samples").fill("20")

@@ -51,7 +51,7 @@ def test_a_sweep_from_the_dialog_to_its_file(dashboard: Dashboard) -> None:
     expect(page).to_have_title("Sweep of Height × Target speed · Ridelab")
     expect_done(page)
     expect(page.get_by_test_id("batch-counts")).to_have_text("12 of 12 runs finished")
-    expect(page.get_by_text("Other than the paper: Width 3\u00a0m.")).to_be_visible()
+    expect(page.get_by_text("Other than the paper: Bump width 3\u00a0m.")).to_be_visible()
     expect(page.get_by_role("progressbar", name="Finished runs")).to_have_attribute("aria-valuenow", "100")
     expect(page.get_by_text("Passive does not use target speed: its 6 runs give 3 results.")).to_be_visible()
     expect(page.locator("tbody tr[data-status=ok]")).to_have_count(12)

@@ -35,7 +35,7 @@ def test_a_tuning_from_the_lab_and_back(dashboard: Dashboard, server: Server) ->
     run = dashboard.run_id
     page.get_by_role("navigation", name="Pages").get_by_role("link", name="Tuner").click()
     expect(page).to_have_url(re.compile(rf"/tuner\?run={run}$"))
-    expect(page.get_by_text("Other than the paper: Width 3\u00a0m.")).to_be_visible()
+    expect(page.get_by_text("Other than the paper: Bump width 3\u00a0m.")).to_be_visible()
 
     page.get_by_role("radiogroup", name="Strategy").get_by_text("LQR").click()
     page.get_by_role("textbox", name="Training roads").fill("1")

@@ -5,6 +5,7 @@ import { useEffect, useState } from "react";
 import { batches, tunings, type JobCalls } from "../api/jobs";
 import type { Batch, BatchItem, Tuning, TuningItem } from "../api/types";
 import { isNotFound } from "../api/problem";
+import { isLike } from "../lib/storage";
 import { createLatest } from "../lib/latest";
 import { RETRIED } from "../server/queries";
 import { useRouter } from "@tanstack/react-router";
@@ -185,18 +186,12 @@ export const isFinal = ({ state }: Pick<Batch, "state">) => FINAL.includes(state
 const EVENTS = ["state", "progress", "restart"];
 const RETRY_MS = 3000;
 
-const isJobEvent = (value: unknown): value is JobEvent =>
-  typeof value === "object" &&
-  value !== null &&
-  "state" in value &&
-  "done" in value &&
-  "failed" in value &&
-  "total" in value;
+const EVENT: JobEvent = { state: "queued", done: 0, failed: 0, total: 0 };
 
 function read(text: string): JobEvent | null {
   try {
     const value: unknown = JSON.parse(text);
-    return isJobEvent(value) ? value : null;
+    return isLike(EVENT, value) ? value : null;
   } catch {
     return null;
   }

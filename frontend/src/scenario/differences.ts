@@ -111,8 +111,8 @@ export const changesText = (changes: readonly FieldChange[], most = 3): string =
   inOneLine(changes, most, ({ name, change }) => `${name} ${change}`);
 
 /** What a scenario is called by what is special about it: `Bump height 12 cm, initial speed 40 km/h`. */
-export const nameByChanges = (changes: readonly FieldChange[]): string =>
-  inOneLine(changes, 2, ({ name, value }, index) => `${index === 0 ? name : lowered(name)} ${value}`);
+export const nameByChanges = (changes: readonly FieldChange[], most = 2): string =>
+  inOneLine(changes, most, ({ name, value }, index) => `${index === 0 ? name : lowered(name)} ${value}`);
 
 function inOneLine(
   changes: readonly FieldChange[],

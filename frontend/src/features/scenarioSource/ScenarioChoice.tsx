@@ -2,19 +2,18 @@
 
 import { Group as Row } from "@mantine/core";
 import { useState } from "react";
-import { type Group, optionOf, optionTitle } from "../../scenario/schema";
+import { type Group } from "../../scenario/schema";
+import { changedFields, nameByChanges, paperScenarioOf } from "../../scenario/differences";
 import { isNotFound } from "../../api/problem";
-import { useItems, roadName } from "../../scenario/library";
+import { useItems } from "../../scenario/library";
 import type { ScenarioSource, PageScenario } from "./scenarioSource";
 import { useForm } from "../../server/useCatalogues";
 import { LabLink } from "../../ui/openInLab";
 import { Note } from "../../ui/Messages";
 import { Choice } from "../../ui/Entry";
 import type { Scenario } from "../../api/types";
-import { isChanged, leavesOf } from "../../scenario/differences";
-import { valueText } from "../../scenario/limits";
-import { getAt } from "../../scenario/path";
-import { dotted, sweepFields } from "../../scenario/fields";
+
+import { dotted } from "../../scenario/fields";
 
 const valueOf = ({ run, own, preset = "" }: ScenarioSource) =>
   run !== undefined ? "run" : own !== undefined ? `own ${own}` : `preset ${preset}`;
@@ -76,28 +75,12 @@ export function ScenarioChoice({ source: { origin, scenario, presets, error, cho
 
 const MOST_NAMED = 6;
 
-/** `swept` are dotted names of fields, or of parts, that are told elsewhere. */
+/** What a scenario has other than the paper, in a sentence; `swept` are dotted names of fields, or of parts, that are told elsewhere. */
 export function otherThanPaper(scenario: Scenario, form: Group, swept: readonly string[] = []): string {
-  const texts = leavesOf(form).flatMap((leaf) =>
-    leaf.kind === "text" || leaf.kind === "data" ? [{ name: dotted(leaf.pointer), title: leaf.title, leaf }] : [],
-  );
-  const other = [...sweepFields(form), ...texts].filter(
-    ({ name, leaf }) =>
-      isChanged(scenario, leaf) && !swept.some((each) => each === name || name.startsWith(`${each}.`)),
-  );
-  if (other.length === 0) return swept.length > 0 ? "Everything else as in the paper." : "As in the paper.";
-  const named = other.slice(0, MOST_NAMED).map(({ title, leaf }) => {
-    const value = getAt(scenario, leaf.pointer);
-    if (leaf.kind === "text" && typeof value === "string") return `${title} ${roadName(value)}`;
-    if (leaf.kind === "data") return `${title} own`;
-    const text =
-      typeof value === "number" && leaf.kind === "number"
-        ? valueText(leaf, value)
-        : value === null || value === undefined
-          ? "off"
-          : optionTitle(optionOf(value));
-    return `${title} ${text}`;
+  const other = changedFields(form, paperScenarioOf(form), scenario).filter(({ pointer }) => {
+    const name = dotted(pointer);
+    return !swept.some((each) => each === name || name.startsWith(`${each}.`));
   });
-  const more = other.length - named.length;
-  return `Other than the paper: ${named.join(", ")}${more > 0 ? ` and ${more} more` : ""}.`;
+  if (other.length > 0) return `Other than the paper: ${nameByChanges(other, MOST_NAMED)}.`;
+  return swept.length > 0 ? "Everything else as in the paper." : "As in the paper.";
 }

@@ -25,7 +25,7 @@ describe("what differs from the paper", () => {
 
   it("is told field by field", () => {
     expect(otherThanPaper(paper, FORM)).toBe("As in the paper.");
-    expect(otherThanPaper(changed, FORM)).toBe("Other than the paper: Height −6\u00a0cm, Cruise: Pitch 3.");
+    expect(otherThanPaper(changed, FORM)).toBe("Other than the paper: Bump height −6\u00a0cm, MPC cruise, pitch 3.");
   });
 
   it("names a measured road", () => {
