@@ -2,7 +2,7 @@
 
 import type { FigureTemplate } from "../api/types";
 import { axisSignal, buildFigure, overRoads } from "./figure";
-import { type Curves } from "./curves";
+import type { Curves } from "./curves";
 import { ON_PAPER } from "./palettes";
 import { asText, loadPlotly, withPlainNames, type PlotLayout, type PlotTrace } from "./plotly";
 import type { PaperFigure, PaperSize } from "./saved";

@@ -6,7 +6,6 @@ import { Icon } from "../../ui/icons";
 import { useAction, useActionButton, usePaletteEntries } from "../../lab/actions";
 import { useReadOnly } from "../../lab/context";
 import { vehiclesQuery } from "../../server/queries";
-
 import { useQuery } from "@tanstack/react-query";
 import { useSelector } from "@tanstack/react-store";
 import { LazyPart } from "../../ui/LazyPart";

@@ -2,7 +2,7 @@
 
 import { Group as Row } from "@mantine/core";
 import { useState } from "react";
-import { type Group } from "../../scenario/schema";
+import type { Group } from "../../scenario/schema";
 import { changedFields, nameByChanges, paperScenarioOf } from "../../scenario/differences";
 import { isNotFound } from "../../api/problem";
 import { useItems } from "../../scenario/library";
@@ -12,7 +12,6 @@ import { LabLink } from "../../ui/openInLab";
 import { Note } from "../../ui/Messages";
 import { Choice } from "../../ui/Entry";
 import type { Scenario } from "../../api/types";
-
 import { dotted } from "../../scenario/fields";
 
 const valueOf = ({ run, own, preset = "" }: ScenarioSource) =>

@@ -4,7 +4,6 @@ import { Button, Group, Modal, SegmentedControl, Stack, Text } from "@mantine/co
 import { useMediaQuery } from "@mantine/hooks";
 import { useMemo } from "react";
 import type { Batch } from "../../api/types";
-
 import { SweepList } from "./SweepState";
 import { draftField, restoreSweep, type FieldDraft, type Method, type SweepDraft } from "./draft";
 import { linkable, sweepFields, TOGETHER, type SweepField } from "../../scenario/fields";

@@ -7,7 +7,6 @@ import { otherThanPaper } from "../scenarioSource/ScenarioChoice";
 import { useForm, useStrategies } from "../../server/useCatalogues";
 import { isFinal, BATCH, useJobCall } from "../../jobs/useJob";
 import { historyOf, JobState, JobList } from "../../jobs/Jobs";
-
 import { count, formatWhole } from "../../units/format";
 import { Fault, Note } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";

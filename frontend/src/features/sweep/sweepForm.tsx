@@ -15,7 +15,7 @@ import { Entry, EntryRow } from "../../ui/Entry";
 import { readDraft, type SweepDraft, type FieldDraft, type Method, byRatio, spread } from "./draft";
 import { Checkbox, Group, SegmentedControl, Chip, MultiSelect } from "@mantine/core";
 import { StrategyName } from "../../ui/StrategyKey";
-import { type SweepField } from "../../scenario/fields";
+import type { SweepField } from "../../scenario/fields";
 import { Note } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
 import { typedText } from "../../scenario/limits";
