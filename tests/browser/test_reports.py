@@ -73,6 +73,7 @@ def test_the_lab_is_printed_and_its_report_works_offline(
     assert len(re.findall(rb"/Type /Page\b", (tmp_path / "lab.pdf").read_bytes())) == 3
     lab.emulate_media(media="print")
     expect(lab.get_by_role("button", name="Share")).to_be_hidden()
+    expect(lab.get_by_title("Make LQR stand out")).to_be_visible()  # whose curve is which
     expect(lab.get_by_text(dashboard.run_id)).to_be_visible()
     lab.emulate_media(media="null")
 
