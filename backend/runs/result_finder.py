@@ -4,7 +4,7 @@ import asyncio
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from backend import digest, own
+from backend import digest
 from backend.compute.shared_computations import SharedComputations
 from backend.compute.workers import Workers
 from backend.cost.estimate import costs_of
@@ -17,17 +17,19 @@ from backend.runs.compute_run import compute_run
 from backend.runs.result_cache import ResultCache
 from backend.store import Store
 from sim_core.scenario import Scenario
+from sim_core.strategies import STRATEGIES, resolve_speed_plan
 
 Outcomes = dict[str, Outcome]  # by strategy
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Request:
-    """Who asks, for which samples of the time histories (None for none), and each strategy's estimated cost [s]."""
+    """Who asks, for which samples of the time histories (None for none), each strategy's estimated cost [s], roads."""
 
     client: str
     sampling: Sampling | None
     costs: Mapping[str, float]
+    roads: int
 
 
 @dataclass(eq=False, kw_only=True)
@@ -94,7 +96,7 @@ class ResultFinder:
         if costly:
             roads = [await self.recordings.on(await self.roads.on(road), costly) for road in roads]
             costs = costs or costs_of(roads[0], set(costly))  # which no seed changes
-            request = _Request(client=client, sampling=sampling, costs=costs)
+            request = _Request(client=client, sampling=sampling, costs=costs, roads=len(roads))
             with self.gate.computing(client, sum(costs[name] for name in costly)):
                 computed = await self._compute_roads(roads, missing, request)
             available = [there | new for there, new in zip(available, computed, strict=True)]
@@ -125,7 +127,7 @@ class ResultFinder:
                 task.cancel()
 
     async def _compute(self, scenario: Scenario, missing: Mapping[str, str], request: _Request) -> Outcomes:
-        """Join computations in progress; one worker computes the rest, so that shared work is done once."""
+        """Join computations in progress; of the rest a worker computes those that share work, beside the others."""
         sampling = request.sampling
 
         def running_task(key: str) -> asyncio.Task[Outcomes] | None:
@@ -134,9 +136,11 @@ class ResultFinder:
         tasks = {name: task for name, key in missing.items() if (task := running_task(key))}
         joined = set(tasks)
         fresh = {name: key for name, key in missing.items() if name not in joined}
-        ours = {name: key for name, key in fresh.items() if not own.is_own(name)}
-        for each in filter(None, (ours, *({name: fresh[name]} for name in fresh.keys() - ours.keys()))):
-            computing = self._compute_fresh(scenario, each, request)  # somebody's own law may take its whole time
+        by_work: dict[str, dict[str, str]] = {}
+        for name, key in fresh.items():
+            by_work.setdefault(_shared_work(name, scenario, request.roads), {})[name] = key
+        for each in by_work.values():
+            computing = self._compute_fresh(scenario, each, request)
             tasks |= dict.fromkeys(each, self._in_progress.begin([(key, sampling) for key in each.values()], computing))
         outcomes = await self._in_progress.wait(set(tasks.values()))
         return {name: replace(outcomes[task][name], cached=name in joined) for name, task in tasks.items()}
@@ -151,3 +155,11 @@ class ResultFinder:
             if outcome.cacheable:
                 self.memory.put(outcome.key, replace(outcome, cached=True))
         return outcomes
+
+
+def _shared_work(name: str, scenario: Scenario, roads: int) -> str:
+    """Alike for strategies that one worker computes: ours of one speed plan, and over several roads all of ours."""
+    ours = STRATEGIES.get(name)
+    if ours is None:
+        return name
+    return resolve_speed_plan(ours, scenario.speed.policy) if roads == 1 else ""
