@@ -109,66 +109,43 @@ function Report({ report }: { readonly report: ControllerReport }) {
 
 type Row = ControllerReport["rows"][number];
 
-function costColumns({ part, rows, sample_time: step }: ControllerReport): readonly Column<Row>[] {
-  return [
-    {
-      key: "horizons",
-      head: "Np · Nc",
-      text: true,
-      cell: (row) => (
-        <>
-          {row.prediction_horizon} · {row.control_horizon}
-          {row === rows[0] && <span className={ui.dim}> the scenario’s</span>}
-        </>
-      ),
-    },
-    { key: "limits", head: "Limits checked", cell: (row) => formatWhole(row.checked_rows) },
-    {
-      key: "iterations",
-      head: "Iterations",
-      cell: (row) => (
-        <>
-          {formatWhole(row.most_iterations)} of {formatWhole(row.iterations)}
-          {row.unfinished > 0 && <span className={ui.warning}>, {formatWhole(row.unfinished)} unfinished</span>}
-        </>
-      ),
-    },
-    {
-      key: "flash",
-      head: "Flash",
-      detail: `of ${kilobytes(part.flash)}`,
-      cell: (row) => kilobytes(row.code + row.constants),
-    },
-    {
-      key: "ram",
-      head: "RAM with stack",
-      detail: `of ${kilobytes(part.ram)}`,
-      cell: (row) => kilobytes(row.variables + part.stack),
-    },
-    {
-      key: "operations",
-      head: "Operations a step",
-      detail: "least to most",
-      cell: (row) => formatEnds(row.operations, formatWhole),
-    },
-    {
-      key: "time",
-      head: "Time a step",
-      detail: `of ${formatTime(step)}`,
-      cell: (row) => formatEnds(row.time, formatTime),
-    },
-    {
-      key: "fits",
-      head: "Fits",
-      cell: ({ fits, reasons }) => (
-        <Judged good={fits} title={reasons.join("\n")}>
-          {fits ? "yes" : "no"}
-          {!fits && <span className="visually-hidden">: {reasons.join("; ")}</span>}
-        </Judged>
-      ),
-    },
-  ];
-}
+const column = (key: string, head: string, cell: Column<Row>["cell"], detail = ""): Column<Row> => ({
+  key,
+  head,
+  cell,
+  detail,
+});
+
+const costColumns = ({ part, rows, sample_time: step }: ControllerReport): readonly Column<Row>[] => [
+  {
+    key: "horizons",
+    head: "Np · Nc",
+    text: true,
+    cell: (row) => (
+      <>
+        {row.prediction_horizon} · {row.control_horizon}
+        {row === rows[0] && <span className={ui.dim}> the scenario’s</span>}
+      </>
+    ),
+  },
+  column("limits", "Limits checked", (row) => formatWhole(row.checked_rows)),
+  column("iterations", "Iterations", (row) => (
+    <>
+      {formatWhole(row.most_iterations)} of {formatWhole(row.iterations)}
+      {row.unfinished > 0 && <span className={ui.warning}>, {formatWhole(row.unfinished)} unfinished</span>}
+    </>
+  )),
+  column("flash", "Flash", (row) => kilobytes(row.code + row.constants), `of ${kilobytes(part.flash)}`),
+  column("ram", "RAM with stack", (row) => kilobytes(row.variables + part.stack), `of ${kilobytes(part.ram)}`),
+  column("operations", "Operations a step", (row) => formatEnds(row.operations, formatWhole), "least to most"),
+  column("time", "Time a step", (row) => formatEnds(row.time, formatTime), `of ${formatTime(step)}`),
+  column("fits", "Fits", ({ fits, reasons }) => (
+    <Judged good={fits} title={reasons.join("\n")}>
+      {fits ? "yes" : "no"}
+      {!fits && <span className="visually-hidden">: {reasons.join("; ")}</span>}
+    </Judged>
+  )),
+];
 
 const changeColumns = (words: Labels) =>
   VIEWS.flatMap((view) =>

@@ -3,7 +3,7 @@
 import { Stack, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useChoices } from "./choices";
-import { FairTable, metricKey } from "./FairTable";
+import { FairTable } from "./FairTable";
 import { typeset, spreadOf } from "./numbers";
 import classes from "./paper.module.css";
 import { attributionQuery, Answered } from "./Waiting";
@@ -90,7 +90,7 @@ export function EqualSpeed({ pairs, words }: EqualSpeedProps) {
       columns={[
         { key: "pair", head: "At the same speed plan", text: true, cell: ({ label }) => typeset(label) },
         ...first.cells.map((metric, index): Column<Pair> => ({
-          key: metricKey(metric),
+          key: `${metric.window} ${metric.signal}`,
           group: words.view(metric),
           head: words.signal(metric.signal),
           cell({ cells }) {

@@ -4,6 +4,7 @@ import { Box, Group, SegmentedControl, Text } from "@mantine/core";
 import { useState } from "react";
 import type { Combination } from "../../api/types";
 import { formatPercent } from "../../features/tables/change";
+import { humanise } from "../../scenario/schema";
 import { count, formatFixed, formatResult } from "../../units/format";
 import ui from "../../ui/ui.module.css";
 import { useLabels, type Labels } from "../../server/useCatalogues";
@@ -16,18 +17,18 @@ const COMFORT = "weighted_rms";
 
 export function FairTable({ rows }: { readonly rows: readonly Combination[] }) {
   const words = useLabels();
-  const [filter, setFilter] = useState<Filter>(NO_FILTER);
+  const [filter, setFilter] = useState(NO_FILTER);
   const [shown, setShown] = useState<Shown>("change");
   const listed = filtered(rows, filter);
   return (
     <>
       <Group gap="0.5rem 0.8rem" align="flex-end" mb="0.6rem" data-unprinted>
-        {FILTERS.map(({ name, label, options }) => (
+        {FILTERS.map((name) => (
           <Choice
             key={name}
-            label={label}
+            label={humanise(name)}
             value={filter[name]}
-            data={[{ value: ANY, label: "Any" }, ...options.map(([value, text]) => ({ value, label: text }))]}
+            data={Object.entries({ [ANY]: "Any", ...optionsOf(name) }).map(([value, label]) => ({ value, label }))}
             onPick={(value) => setFilter((before) => ({ ...before, [name]: value }))}
           />
         ))}
@@ -66,9 +67,9 @@ function columnsOf(
   words: Labels,
 ): readonly Column<Combination>[] {
   return [
-    ...FILTERS.map(({ name, label }, index): Column<Combination> => ({
+    ...FILTERS.map((name, index): Column<Combination> => ({
       key: name,
-      head: label,
+      head: humanise(name),
       text: true,
       sort: (row) => rankOf(row, name),
       attributes: () => ({ style: { whiteSpace: "nowrap" } }),
@@ -105,7 +106,7 @@ function columnsOf(
     ...metrics.map((column, index): Column<Combination> => {
       const { unit, scale } = words.unit(column.signal);
       return {
-        key: metricKey(column),
+        key: `${column.window} ${column.signal}`,
         group: words.view(column),
         head: words.signal(column.signal),
         detail: withIntervals ? unit : "",
@@ -143,77 +144,32 @@ function Value({ text, interval }: ValueProps) {
   );
 }
 
-interface Filter {
-  readonly controller: string;
-  readonly speed: string;
-  readonly preview: string;
-  readonly weights: string;
-}
+/** What there is to choose among, in words and in a meaningful order; `null` in a row means there is nothing to choose. */
+const OPTIONS = {
+  controller: { mpc: "MPC", lqr: "LQR", passive: "Passive" },
+  speed: { constant: "Constant", planned: "Planned" },
+  preview: { none: "None", wheelbase: "Front axle’s", lookahead: "Road ahead" },
+  weights: { equal: "Equal", comfort: "Cruise’s", switched: "Switched" },
+} as const;
+type FilterName = keyof typeof OPTIONS;
+const FILTERS = Object.keys(OPTIONS) as readonly FilterName[];
 
-type FilterName = keyof Filter;
+const optionsOf = (name: FilterName): Readonly<Record<string, string>> => OPTIONS[name];
 
 export const ANY = "any";
 
-export const NO_FILTER: Filter = { controller: ANY, speed: ANY, preview: ANY, weights: ANY };
-
-/** What there is to choose among, in words; `null` in a row means there is nothing to choose. */
-const FILTERS: readonly {
-  readonly name: FilterName;
-  readonly label: string;
-  readonly options: readonly (readonly [value: string, label: string])[];
-}[] = [
-  {
-    name: "controller",
-    label: "Controller",
-    options: [
-      ["mpc", "MPC"],
-      ["lqr", "LQR"],
-      ["passive", "Passive"],
-    ],
-  },
-  {
-    name: "speed",
-    label: "Speed",
-    options: [
-      ["constant", "Constant"],
-      ["planned", "Planned"],
-    ],
-  },
-  {
-    name: "preview",
-    label: "Preview",
-    options: [
-      ["none", "None"],
-      ["wheelbase", "Front axle’s"],
-      ["lookahead", "Road ahead"],
-    ],
-  },
-  {
-    name: "weights",
-    label: "Weights",
-    options: [
-      ["equal", "Equal"],
-      ["comfort", "Cruise’s"],
-      ["switched", "Switched"],
-    ],
-  },
-];
+export const NO_FILTER: Readonly<Record<FilterName, string>> = {
+  controller: ANY,
+  speed: ANY,
+  preview: ANY,
+  weights: ANY,
+};
 
 /** A part of a combination in words. */
-export function partOf(row: Combination, name: FilterName): string {
-  const value = row[name];
-  return FILTERS.find((filter) => filter.name === name)?.options.find(([each]) => each === value)?.[1] ?? "–";
-}
+export const partOf = (row: Combination, name: FilterName) => optionsOf(name)[row[name] ?? ""] ?? "–";
 
-export const filtered = (rows: readonly Combination[], filter: Filter) =>
-  rows.filter((row) => FILTERS.every(({ name }) => filter[name] === ANY || row[name] === filter[name]));
+export const filtered = (rows: readonly Combination[], filter: typeof NO_FILTER) =>
+  rows.filter((row) => FILTERS.every((name) => filter[name] === ANY || row[name] === filter[name]));
 
-export const metricKey = ({
-  window,
-  signal,
-  statistic,
-}: Pick<Combination["metrics"][number], "window" | "signal" | "statistic">) => `${window}.${signal}.${statistic}`;
-
-/** Options stand in a meaningful order; what has none comes first. */
-export const rankOf = (row: Combination, name: FilterName) =>
-  FILTERS.find((filter) => filter.name === name)?.options.findIndex(([value]) => value === row[name]);
+/** What has none comes first. */
+export const rankOf = (row: Combination, name: FilterName) => Object.keys(OPTIONS[name]).indexOf(row[name] ?? "");
