@@ -29,8 +29,8 @@ import { extent, valueAt } from "../lib/samples";
 export function useShownCurves(resultView: ResultView): CurvesSource {
   const { lab } = useLabContext();
   const { roads, ...pair } = useCurves(resultView);
-  const { series: own, waiting } = useDetail(pair.own);
-  const { series: other, waiting: otherWaits } = useDetail(pair.other);
+  const { series: own, waiting, failure } = useDetail(pair.own);
+  const { series: other, waiting: otherWaits, failure: otherFailure } = useDetail(pair.other);
   const layered = useLayered(resultView);
   const { shown, differences, ids } = resultView;
   const standsOut = useIsolated();
@@ -50,8 +50,9 @@ export function useShownCurves(resultView: ResultView): CurvesSource {
       ...beside,
       ...(roads !== undefined && { roads }),
       waiting: waiting || otherWaits,
+      failure: failure ?? otherFailure,
     }),
-    [resultView, own, other, beside, roads, waiting, otherWaits],
+    [resultView, own, other, beside, roads, waiting, otherWaits, failure, otherFailure],
   );
   const [source] = useState(() => createAtom<Curves>(still, { compare: sameCurves }));
   useLayoutEffect(() => {

@@ -85,6 +85,8 @@ export interface Curves {
   readonly minus?: string;
   /** Finer samples of them are on their way. */
   readonly waiting?: boolean;
+  /** Why samples that are needed could not be had. */
+  readonly failure?: Error | null;
 }
 
 /** Curves that change without anything being rendered anew. */
@@ -96,18 +98,19 @@ export const shownCurves = createAtom<CurvesSource | null>(null);
 /**
  * What the lab's panels draw, once they wait for nothing.
  *
- * @throws There are no panels, or they go away before.
+ * @throws There are no panels, they go away before, or their samples cannot be had.
  */
 export const settledCurves = (): Promise<Curves> =>
   new Promise((resolve, reject) => {
     const source = shownCurves.get();
     const following = [shownCurves.subscribe(settle), source?.subscribe(settle)];
     function settle() {
-      const isGone = source === null || shownCurves.get() !== source;
-      if (!isGone && source.get().waiting) return;
+      const curves = source !== null && shownCurves.get() === source ? source.get() : null;
+      if (curves?.waiting) return;
       for (const each of following) each?.unsubscribe();
-      if (isGone) reject(new Error("No plots are shown."));
-      else resolve(source.get());
+      if (curves === null) reject(new Error("No plots are shown."));
+      else if (curves.failure) reject(curves.failure);
+      else resolve(curves);
     }
     settle();
   });

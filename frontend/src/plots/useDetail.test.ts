@@ -87,6 +87,8 @@ it("a picture is of what the panels draw once nothing is on its way, and of noth
   source.set({ runId: "between", waiting: true } as Curves);
   source.set({ runId: "new", waiting: false } as Curves);
   expect(await curves).toMatchObject({ runId: "new" });
+  source.set({ runId: "refused", failure: new Error("Not now") } as Curves);
+  await expect(settledCurves()).rejects.toThrow("Not now");
   source.set({ runId: "newer", waiting: true } as Curves);
   const unseen = settledCurves();
   shownCurves.set(null);

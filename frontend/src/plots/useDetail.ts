@@ -59,6 +59,8 @@ interface Detail {
   readonly series: SeriesByStrategy;
   /** Finer samples are on their way. */
   readonly waiting: boolean;
+  /** Why there are none, where no others can be shown. */
+  readonly failure: Error | null;
 }
 
 export function useDetail(drawn: Drawn): Detail {
@@ -70,9 +72,11 @@ export function useDetail(drawn: Drawn): Detail {
   const series = means ?? drawn.series;
   const needed = !differences && needsDetail({ ...drawn, series });
   const detail = useQuery({ ...detailQuery(shown, means ? signalsOf(figures) : null), enabled: needed });
-  const waiting = all.isLoading || detail.isLoading;
-  if (differences && isStored) return { series: all.data ?? NOTHING, waiting };
-  return { series: needed && detail.data ? detail.data : series, waiting };
+  if (differences && isStored) {
+    const waiting = all.isFetching && all.data === undefined;
+    return { series: all.data ?? NOTHING, waiting, failure: all.error };
+  }
+  return { series: needed && detail.data ? detail.data : series, waiting: detail.isLoading, failure: null };
 }
 
 /** What else is drawn beside means is means too; beside one road's curves it is one road's. */

@@ -2,7 +2,7 @@
 
 import { Button, Menu, Modal, Text, Textarea, Group, SegmentedControl, Select } from "@mantine/core";
 import { Icon, type IconName } from "../../ui/icons";
-import { useMutation } from "@tanstack/react-query";
+import { useMutation, useQueryClient } from "@tanstack/react-query";
 import { useState } from "react";
 import { address, askFile } from "../../api/http";
 import { explain } from "../../api/problem";
@@ -43,8 +43,10 @@ export function ExportMenu() {
   const { copied, copy } = useCopied(setRefused);
   const controller = useController();
 
+  const queries = useQueryClient();
   const picture = useMutation({
     mutationFn: async (format: "png" | "svg") => {
+      await queries.refetchQueries({ type: "active", predicate: ({ state }) => state.status === "error" });
       const curves = await settledCurves();
       download(await plotsImage(figures, curves, format), `ridelab-${curves.runId ?? "live"}.${format}`);
     },
