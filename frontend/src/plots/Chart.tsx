@@ -6,6 +6,7 @@ import { useSelector } from "@tanstack/react-store";
 import { useEffect, useEffectEvent, useRef, useState, type ReactNode, type RefObject } from "react";
 import type { MadeTrace } from "../api/types";
 import classes from "./plots.module.css";
+import { printing } from "../lib/printing";
 import { Fault } from "../ui/Messages";
 import {
   plotlyState,
@@ -85,9 +86,9 @@ export function Chart(props: Props) {
         if (mounted && covered) setDrawing((before) => before + 1);
       });
     };
-    // Drawn again in a task of its own: what else the page shows of the same answer takes one already.
+    // Drawn again in a task of its own: what else the page shows of the same answer takes one already. Paper waits for none.
     let timer: ReturnType<typeof setTimeout> | undefined;
-    if (element.removeAllListeners) timer = setTimeout(draw);
+    if (element.removeAllListeners && !printing.get()) timer = setTimeout(draw);
     else draw();
     return () => {
       mounted = false;

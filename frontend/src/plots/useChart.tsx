@@ -1,8 +1,10 @@
 /** A chart in the colours of the page, and the button that saves it in those of light paper. */
 
 import { useComputedColorScheme } from "@mantine/core";
+import { useSelector } from "@tanstack/react-store";
 import { useMemo, useRef } from "react";
 import type { Strategy } from "../api/types";
+import { printing } from "../lib/printing";
 import { useSchemeColours, useStrategies } from "../server/useCatalogues";
 import { FigureButton } from "./FigureButton";
 import { ON_PAPER, PALETTES, type Palette } from "./palettes";
@@ -28,7 +30,8 @@ interface Props<Drawn> {
 
 /** What `Chart` takes, and the button; the code that makes the file is loaded with its menu. */
 export function useChart<Drawn extends ChartOnPaper>({ title, file, draw }: Props<Drawn>) {
-  const scheme = useComputedColorScheme("light");
+  const screen = useComputedColorScheme("light");
+  const scheme = useSelector(printing) ? "light" : screen;
   const light = useStrategies();
   const strategies = useSchemeColours(light);
   const hostRef = useRef<HTMLDivElement>(null);
