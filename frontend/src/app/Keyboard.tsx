@@ -8,6 +8,8 @@ import { LazyPart } from "../ui/LazyPart";
 const Palette = lazy(() => import("./Palette").then((module) => ({ default: module.Palette })));
 const Help = lazy(() => import("./Palette").then((module) => ({ default: module.Help })));
 
+const SEARCH = "mod+K";
+
 export function Keyboard() {
   const [opened, setOpened] = useState<"palette" | "help" | null>(null);
   useAction("search", () => setOpened("palette"));
@@ -17,6 +19,7 @@ export function Keyboard() {
     for (const id of ACTION_IDS) {
       const keys = ACTIONS[id].keys?.find((each) => isPressed(event, each));
       if (keys === undefined || !canRun(id)) continue;
+      if (opened !== null && keys !== SEARCH) return; // its code may still be on its way: what is typed is meant for it
       if (event.defaultPrevented || belongsToFocus(event.target, keys, isTyping(event.target))) return;
       event.preventDefault();
       runAction(id);
@@ -84,7 +87,7 @@ function useTyping() {
 
 /** Whether a key that stands for a command belongs to what has the focus. */
 function belongsToFocus(target: EventTarget | null, keys: string, isTyping: boolean): boolean {
-  if (keys === "mod+K") return false;
+  if (keys === SEARCH) return false;
   if (isApart(target)) return true;
   if (keys.startsWith("mod+")) return isTyping;
   return keys === "Space" ? takesKeys(target) : takesText(target) || target instanceof HTMLSelectElement;
