@@ -15,7 +15,7 @@ import { EqualSpeed, usePairedChanges } from "./VerdictLine";
 import ui from "../../ui/ui.module.css";
 import type { Change } from "../tables/change";
 import { RequirementMarks } from "../requirements/RequirementsCard";
-import { useLabels } from "../../server/useCatalogues";
+import { useLabels, type Labels } from "../../server/useCatalogues";
 
 const LOOK = { gap: "0.25rem 0.5rem", mih: 30, px: "0.2rem", fz: "xs", c: "dimmed" };
 
@@ -40,7 +40,7 @@ export function ChangeChips({ resultView }: { readonly resultView: ResultView })
         {note} <EqualSpeed resultView={resultView} />
       </Group>
     );
-  const changes = editChanges(resultView, before, words.catalogue, paired);
+  const changes = editChanges(resultView, before, { ...words.catalogue, unit: words.unit }, paired);
   const strategy = strategies.find(({ id }) => id === picked) ?? changedMost(changes, strategies);
   const of = changes.filter((each) => each.strategy === strategy?.id);
   return (
@@ -115,7 +115,7 @@ interface EditChange {
 export function editChanges(
   { shown, strategies, summaries }: Pick<ResultView, "shown" | "strategies" | "summaries">,
   before: Variant,
-  catalogue: Pick<Catalogue, "paper_signals">,
+  catalogue: Pick<Catalogue, "paper_signals"> & Pick<Labels, "unit">,
   paired: OverRoads["changes"] | undefined,
 ): readonly EditChange[] {
   return strategies.flatMap((strategy) =>
@@ -125,7 +125,7 @@ export function editChanges(
       change: changeBetween(
         { strategy, shown, summary: summaries[strategy.id] },
         { summary: before.shown.summaries[strategy.id], scenario: before.shown.scenario, pair: [strategy] },
-        { metric, paired },
+        { metric, scale: catalogue.unit(metric.signal).scale, paired },
       ),
     })),
   );

@@ -82,7 +82,9 @@ export function EqualSpeed({ resultView }: { readonly resultView: ResultView }) 
 }
 
 type Compared = Pick<ResultView, "shown" | "strategies" | "summaries">;
-type Signals = Pick<Catalogue, "paper_signals" | "signals"> & Partial<Pick<Labels, "unit">>;
+type Signals = Pick<Catalogue, "paper_signals" | "signals">;
+/** With the units that changes are shown in: what is zero is so in them. */
+type InUnits = Signals & Pick<Labels, "unit">;
 /** By baseline what the result's roads say against it, paired by road. */
 export type PairedAgainst = Readonly<Record<StrategyId, OverRoads["changes"] | undefined>>;
 
@@ -123,7 +125,7 @@ const headlineOf = (summary: Parameters<typeof valueAt>[0]): WindowMetric =>
 
 function between(
   { shown, summaries }: Compared,
-  { unit }: Signals,
+  { unit }: InUnits,
   [one, other]: readonly [Strategy, Strategy],
   metric: WindowMetric,
   paired: PairedAgainst,
@@ -131,7 +133,7 @@ function between(
   return changeBetween(
     { strategy: one, shown, summary: summaries[one.id] },
     { summary: summaries[other.id], scenario: shown.scenario, pair: [one, other] },
-    { metric, scale: unit?.(metric.signal).scale ?? 1, paired: paired[other.id] },
+    { metric, scale: unit(metric.signal).scale, paired: paired[other.id] },
   );
 }
 
@@ -145,7 +147,7 @@ interface Score {
 }
 
 /** `null` until the roads' changes are there. */
-export function scoreOf(compared: Compared, catalogue: Signals, leader: Strategy, paired: PairedAgainst): Score | null {
+export function scoreOf(compared: Compared, catalogue: InUnits, leader: Strategy, paired: PairedAgainst): Score | null {
   const others = compared.strategies.filter(({ id }) => id !== leader.id);
   const verdicts = metricsOf(compared, catalogue).map((metric) =>
     others.map((other) => {
@@ -207,7 +209,7 @@ interface Sentence {
 /** The verdict in words; `null` where nothing is compared, or not yet. */
 export function sentenceOf(
   compared: Compared,
-  catalogue: Signals,
+  catalogue: InUnits,
   { leader, rival }: { readonly leader: Strategy; readonly rival: Strategy },
   paired: PairedAgainst,
 ): Sentence | null {

@@ -1,6 +1,7 @@
 import { expect, it, describe } from "vitest";
 import type { Catalogue, Interval, OverRoads, Scenario, Strategy, Summary } from "../../api/types";
 import type { Result } from "../../lab/result";
+import type { Labels } from "../../server/useCatalogues";
 import { withFields } from "../../scenario/fields";
 import { isRandom } from "../tables/entries";
 import { changedMost, editChanges } from "./ChangeChips";
@@ -10,7 +11,8 @@ const SIGNALS = ["body_acceleration", "pitch_acceleration"];
 const CATALOGUE = {
   paper_signals: SIGNALS,
   signals: SIGNALS.map((key) => ({ key, label: key === "body_acceleration" ? "Body acceleration" : "Pitch" })),
-} as unknown as Catalogue;
+  unit: () => ({ unit: "", scale: 1 }),
+} as unknown as Catalogue & Pick<Labels, "unit">;
 const [LV, LQR, PASSIVE] = (["LV", "LQR", "Passive"] as const).map(
   (label) => ({ id: label.toLowerCase(), label, one_road_resolution: { rms: 7, peak: 15 } }) as unknown as Strategy,
 ) as [Strategy, Strategy, Strategy];
