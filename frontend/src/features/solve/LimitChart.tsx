@@ -256,7 +256,9 @@ function extentOf(curves: readonly (readonly Point[])[]): { readonly x: Range; r
   const points = curves.flat();
   const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => y)];
   const low = Math.min(0, ...ys);
-  return { x: [Math.min(...xs), Math.max(...xs)], y: [low, low + 1.08 * (Math.max(...ys) - low) || 1] };
+  const [first, last] = [Math.min(...xs), Math.max(...xs)];
+  // Beside the corner, where the other axis has its own number.
+  return { x: [first - 0.025 * (last - first), last], y: [low, low + 1.08 * (Math.max(...ys) - low) || 1] };
 }
 
 /** Half as high as the highest curve: where a limit that nobody has typed yet stands. */
