@@ -3,7 +3,7 @@
 import { Anchor, Text, Box, Group, SegmentedControl } from "@mantine/core";
 import { Link } from "@tanstack/react-router";
 import type { Catalogue, Strategy, Summary, FigureTemplate, FigureTemplates, Run } from "../../api/types";
-import { useLabels, type Labels, useCatalogue, useFigures } from "../../server/useCatalogues";
+import { useLabels, type Labels, useCatalogue, useCatalogues, useFigures } from "../../server/useCatalogues";
 import { comparedMetrics, showValue, VIEWS } from "../../features/tables/entries";
 import { metricName, valueAt, type WindowMetric } from "../../lab/metricPath";
 import { ValueAndChange } from "../../features/tables/ChangeMark";
@@ -20,6 +20,7 @@ import { useMemo, useState, type ComponentProps } from "react";
 import type { Curves } from "../../plots/curves";
 import { PlotPanels, useCurvesSource } from "../../plots/PlotGrid";
 import { DEFAULT_VIEW, type Axis, type Zoom } from "../../lab/address";
+import { fullName } from "../../server/metrics";
 import { DETAIL_POINTS, seriesQuery } from "../../server/queries";
 import { makeResultView } from "../../lab/resultView";
 import { fromRun } from "../../lab/result";
@@ -35,6 +36,7 @@ export function EcuTable({ summaries, strategies, stale }: Props) {
   const rows = rowsOf(words.catalogue, summaries);
   const judged = rows.filter(({ within }) => within !== null);
   const reached = judged.filter(({ within }) => within).length;
+  const names = new Map(useCatalogues().figures.map((figure) => [figure.key, fullName(figure)]));
   return (
     <Card
       className={ui.follows}
@@ -50,7 +52,7 @@ export function EcuTable({ summaries, strategies, stale }: Props) {
       }
     >
       <Text px="0.9rem" pb="sm" data-testid="hil-conclusion">
-        {conclusionOf(rows, (row) => `${words.signal(row.signal)}, ${words.view(row)}`)}
+        {conclusionOf(rows, ({ key }) => names.get(key) ?? key)}
       </Text>
       <DataTable
         label="Metrics, in the ECU and in the simulation"
