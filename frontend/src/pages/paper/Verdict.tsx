@@ -48,21 +48,22 @@ interface BarProps {
 export function VerdictBar({ counts, total = totalOf(counts), large = false }: BarProps) {
   return (
     <Progress.Root size={large ? 16 : 8} role="img" aria-label={countsInWords(counts)}>
-      {VERDICTS.map(({ verdict, colour }) => (
+      {VERDICTS.filter(({ verdict }) => counts[verdict] > 0).map(({ verdict, colour }) => (
         <Progress.Section
           key={verdict}
           withAria={false}
           data-verdict={verdict}
           value={(100 * counts[verdict]) / Math.max(1, total)}
           color={colour}
-          style={PRINTED}
+          style={PART}
         />
       ))}
     </Progress.Root>
   );
 }
 
-const PRINTED = { printColorAdjust: "exact" } as const;
+/** Told apart without colours too, however small. */
+const PART = { minWidth: 5, borderRight: "2px solid var(--surface)", printColorAdjust: "exact" } as const;
 
 export function VerdictCountList({ counts }: { readonly counts: VerdictCounts }) {
   return (
