@@ -2,7 +2,7 @@
 import { MantineProvider } from "@mantine/core";
 import { act, cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import { Hints } from "../app/headerParts";
+import { Hints } from "./headerParts";
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => {

@@ -2,7 +2,7 @@
 
 import { Accordion, Badge, Box, Button, Group as Row, Stack, Text, TextInput } from "@mantine/core";
 import { memo, useEffect, useMemo, useState } from "react";
-import { useAction, useActionButton } from "../../lab/actions";
+import { focusField, revealed, useAction, useActionButton } from "../../lab/actions";
 import { useEdit, useFromScenario, useLab, useReadOnly } from "../../lab/context";
 import classes from "./editor.module.css";
 import { changedPointers, leavesOf, resetMember, type Leaf, OWN } from "../../scenario/differences";
@@ -15,7 +15,6 @@ import { Fault } from "../../ui/Messages";
 import { unitWords } from "../../units/quantity";
 import { BumpDrawing } from "./BumpDrawing";
 import { useVehicles, VehicleChoice } from "./VehicleChoice";
-import { focusField, revealed } from "../../lab/actions";
 
 /** The options of controllers of one's own; each has a section of its own, there while the controller is chosen. */
 const isLaw = (pointer: Pointer) => pointer.startsWith(OWN);

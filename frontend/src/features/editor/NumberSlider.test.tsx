@@ -1,12 +1,11 @@
 // @vitest-environment happy-dom
 import type { Scenario } from "../../api/types";
-import { withoutEffect } from "./FieldFrame";
 import { cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { leavesOf } from "../../scenario/differences";
 import { FORM } from "../../scenario/form.fixture";
 import { NumberSlider } from "./NumberFieldRow";
-import type { LeafState } from "./FieldFrame";
+import { withoutEffect, type LeafState } from "./FieldFrame";
 
 const height = leavesOf(FORM).find(({ pointer }) => pointer === "/road/bump/height");
 

@@ -197,8 +197,7 @@ function DifferencesTable({ differences, strategies }: DifferencesTableProps) {
   );
 }
 
-/** The same scenario computed twice: which figures differ, the largest change first. */
-export type Figure = number | boolean | null;
+type Figure = number | boolean | null;
 
 interface Difference {
   readonly strategy: StrategyId;
@@ -234,6 +233,7 @@ function sizeOf(then: Figure, now: Figure, scale: number): number {
   return Math.abs(now - then) / Math.max(Math.abs(then), Math.abs(now));
 }
 
+/** The same scenario computed twice: which figures differ, the largest change first. */
 export function compareRuns(then: Run, now: Run, metrics: readonly Metric[]): Comparison {
   const differences: Difference[] = [];
   const failed: string[] = [];

@@ -2,9 +2,7 @@
 
 import "../../ui/mantine.css";
 
-export { FrequencyPart } from "./Panels";
-export { FuzzyPart } from "./Panels";
-export { InstantPart } from "./Panels";
+export { FrequencyPart, FuzzyPart, InstantPart } from "./Panels";
 export { CarView } from "../../features/car/CarView";
 export { DropFiles } from "../../features/library/OpenFiles";
 export { RequirementsCard } from "../../features/requirements/RequirementsCard";

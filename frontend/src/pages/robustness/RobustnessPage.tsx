@@ -176,14 +176,7 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
     />
   );
   return (
-    <Group
-      gap="0 0.8rem"
-      mih="3.1rem"
-      py="0.2rem"
-      style={UNDERLINED}
-
-      data-field={field.name}
-    >
+    <Group gap="0 0.8rem" mih="3.1rem" py="0.2rem" style={UNDERLINED} data-field={field.name}>
       <Switch
         size="xs"
         flex="1 1 12rem"

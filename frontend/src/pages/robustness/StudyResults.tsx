@@ -9,8 +9,7 @@ import type { Catalogue, BatchSummary, Strategy, StrategyId } from "../../api/ty
 import { paperMetrics } from "../../server/metrics";
 import { formatWhole } from "../../units/format";
 import { Limits, Spread } from "./Spread";
-import { Matters } from "./Matters";
-import { OneAtATime } from "./Matters";
+import { Matters, OneAtATime } from "./Matters";
 import { AIRBORNE, summaryQuery, TRAVEL, quantile, type Margin, type StudyParts } from "./study";
 import { useOpenRun } from "../../features/sweep/table";
 import { Fault, Note } from "../../ui/Messages";

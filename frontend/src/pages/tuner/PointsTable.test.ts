@@ -1,11 +1,10 @@
+// @vitest-environment happy-dom
 import { MantineProvider } from "@mantine/core";
 import { render, screen } from "@testing-library/react";
 import { createElement, type ComponentProps } from "react";
 import { expect, it } from "vitest";
 import type { Trial } from "../../api/types";
 import { PointTable } from "./PointsTable";
-
-// @vitest-environment happy-dom
 
 it("a selected point strikes through those of the paper's weights that differ", () => {
   const items = ["Body", "Pitch", "Travel"].map((title, index) => ({ title, pointer: `/lqr/weights/${index}` }));

@@ -1,10 +1,9 @@
+// @vitest-environment happy-dom
 import { cleanup, render } from "@testing-library/react";
 import { createElement } from "react";
 import { describe, expect, it } from "vitest";
 import type { ComparedPoint } from "../../api/types";
 import { ChangeOf, gainsOf, priceText } from "./ValidationTable";
-
-// @vitest-environment happy-dom
 
 const point = (
   training: number,
