@@ -161,9 +161,14 @@ def add_site(app: FastAPI, dist: Path, manual: Path) -> None:
             site.add_api_route(f"/{file.name}", _file(file), methods=["GET"])
     app.include_router(site)
     _add_not_found(app, index)
-    app.mount("/assets", HashedFiles(directory=dist / "assets", check_dir=False))
-    app.mount("/docs-assets", StaticFiles(directory=dist / "docs-assets", check_dir=False))
-    app.mount("/manual", ManualPages(directory=manual, html=True, check_dir=False))
+    files = {
+        "/assets": HashedFiles(directory=dist / "assets", check_dir=False),
+        "/docs-assets": StaticFiles(directory=dist / "docs-assets", check_dir=False),
+        "/manual": ManualPages(directory=manual, html=True, check_dir=False),
+    }
+    for address, each in files.items():
+        each.config_checked = True  # a folder that is not built yet has no files: 404 instead of 500
+        app.mount(address, each)
 
 
 def _add_not_found(app: FastAPI, index: Path) -> None:

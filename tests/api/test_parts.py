@@ -7,15 +7,19 @@ import subprocess
 import sys
 import tracemalloc
 from pathlib import Path
+from typing import Any
 
+import httpx
 import numpy as np
 import orjson
 import pytest
+from fastapi import FastAPI
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from backend import digest
+from backend.api.site import add_site
 from backend.means_over_roads import seeded
 from backend.models import CachedFailure
 from backend.outcome import Outcome, Sampling
@@ -156,3 +160,12 @@ def test_memory_answers_only_for_the_points_it_has() -> None:
     assert memory.get("a", Sampling(2000)) is not None
     memory.put("a", Outcome(key="k", strategy="lv", status="ok", json=b"{}", compute_ms=1.0))
     assert memory.get("a", Sampling(2000)) is not None, "one without series does not drive out one with"
+
+
+def test_what_is_not_built_is_not_found(service: Any, tmp_path: Path) -> None:
+    app = FastAPI()
+    add_site(app, tmp_path / "dist", tmp_path / "manual")
+    transport = httpx.ASGITransport(app)
+    client = httpx.AsyncClient(transport=transport, base_url="http://site")
+    for address in ("/manual/", "/manual/index.html", "/assets/index.js", "/docs-assets/swagger-ui.css"):
+        assert service.inside(client.get(address)).status_code == 404, address
