@@ -181,9 +181,9 @@ function PrintedChange({ cell: { paper_change: printed, misprint } }: { readonly
   if (!misprint) return <>{printedChange(printed)}</>;
   return (
     <>
-      <Text component="s" fz="inherit" c="dimmed">
+      <Box component="s" c="dimmed">
         {printedChange(misprint.printed)}
-      </Text>
+      </Box>
       <Box component="span" display="block" maw="7.5rem" ml="auto" fz="xs" c="var(--worse)" style={WRAPPED}>
         <Icon name="AlertTriangle" size={12} className={ui.inline} /> misprint: {printedChange(misprint.follows)}{" "}
         follows
