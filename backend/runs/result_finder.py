@@ -136,7 +136,7 @@ class ResultFinder:
         tasks = {name: task for name, key in missing.items() if (task := running_task(key))}
         joined = set(tasks)
         fresh = {name: key for name, key in missing.items() if name not in joined}
-        by_work: dict[str, dict[str, str]] = {}
+        by_work: dict[tuple[str, ...], dict[str, str]] = {}
         for name, key in fresh.items():
             by_work.setdefault(_shared_work(name, scenario, request.roads), {})[name] = key
         for each in by_work.values():
@@ -157,9 +157,12 @@ class ResultFinder:
         return outcomes
 
 
-def _shared_work(name: str, scenario: Scenario, roads: int) -> str:
-    """Alike for strategies that one worker computes: ours of one speed plan, and over several roads all of ours."""
+def _shared_work(name: str, scenario: Scenario, roads: int) -> tuple[str, ...]:
+    """Alike for strategies that one worker computes: ours of one speed plan, and over several roads all of ours.
+
+    Somebody's own law may take a worker's whole time: it has one to itself, whatever it is called.
+    """
     ours = STRATEGIES.get(name)
     if ours is None:
-        return name
-    return resolve_speed_plan(ours, scenario.speed.policy) if roads == 1 else ""
+        return "own", name
+    return (resolve_speed_plan(ours, scenario.speed.policy),) if roads == 1 else ()
