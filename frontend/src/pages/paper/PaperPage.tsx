@@ -171,7 +171,9 @@ function Contents({ paper }: { readonly paper: Paper | undefined }) {
               {paper.unavailable.cells} not available here
             </Box>
           )}
-          <VerdictBar counts={paper.counts} total={countedOf(paper, paper.counts)} />
+          <Box mt="0.35rem">
+            <VerdictBar counts={paper.counts} total={countedOf(paper, paper.counts)} />
+          </Box>
         </Box>
       )}
     </nav>
