@@ -2,7 +2,7 @@
 
 import { useWindowEvent } from "@mantine/hooks";
 import { lazy, useRef, useState } from "react";
-import { ACTION_IDS, ACTIONS, canRun, runAction, useAction } from "../lab/actions";
+import { ACTION_IDS, ACTIONS, canRun, isKeyOn, runAction, useAction } from "../lab/actions";
 import { LazyPart } from "../ui/LazyPart";
 
 const Palette = lazy(() => import("./Palette").then((module) => ({ default: module.Palette })));
@@ -18,7 +18,7 @@ export function Keyboard() {
   useWindowEvent("keydown", (event) => {
     for (const id of ACTION_IDS) {
       const keys = ACTIONS[id].keys?.find((each) => isPressed(event, each));
-      if (keys === undefined || !canRun(id)) continue;
+      if (keys === undefined || !isKeyOn(keys) || !canRun(id)) continue;
       if (opened !== null && keys !== SEARCH) return; // its code may still be on its way: what is typed is meant for it
       if (event.defaultPrevented || belongsToFocus(event.target, keys, isTyping(event.target))) return;
       event.preventDefault();

@@ -1,8 +1,9 @@
 /** What is opened by a key: the search for an action, a page or a field by its name; and help. */
 
-import { Kbd, Button, Group, Modal } from "@mantine/core";
+import { Kbd, Button, Group, Modal, Switch } from "@mantine/core";
 import { createSpotlight, Spotlight, type SpotlightActionData } from "@mantine/spotlight";
 import "@mantine/spotlight/styles.layer.css";
+import { useSelector } from "@tanstack/react-store";
 import { useEffect, useState } from "react";
 import {
   ACTION_IDS,
@@ -11,7 +12,9 @@ import {
   paletteEntries,
   runAction,
   type PaletteEntry,
+  isKeyOn,
   isOffered,
+  letterKeys,
   useActionButton,
 } from "../lab/actions";
 import { DataTable } from "../ui/DataTable";
@@ -31,7 +34,7 @@ const runnable = (): readonly Item[] =>
   ACTION_IDS.filter(canRun).map((id) => ({
     group: "Lab",
     label: ACTIONS[id].label,
-    keys: ACTIONS[id].keys?.[0],
+    keys: ACTIONS[id].keys?.find(isKeyOn),
     run: () => runAction(id),
   }));
 
@@ -107,9 +110,11 @@ const EVERYWHERE = [
 /** Where one learns more: the tour, the manual, and which keys there are on this page. */
 export function Help({ onClose }: { readonly onClose: () => void }) {
   const tour = useActionButton("tour");
+  const letters = useSelector(letterKeys);
   const named = ACTION_IDS.filter(isOffered).flatMap((id) => {
     const { label, keys = [] } = ACTIONS[id];
-    return keys.length > 0 ? [{ label, keys: keys.map(keyNames).join(" or ") }] : [];
+    const on = keys.filter(isKeyOn);
+    return on.length > 0 ? [{ label, keys: on.map(keyNames).join(" or ") }] : [];
   });
   return (
     <Modal opened onClose={onClose} title="Help">
@@ -129,6 +134,13 @@ export function Help({ onClose }: { readonly onClose: () => void }) {
           Read the manual
         </Button>
       </Group>
+      <Switch
+        size="xs"
+        mb="0.5rem"
+        label="Keys of one letter"
+        checked={letters}
+        onChange={({ currentTarget: { checked } }) => letterKeys.set(checked)}
+      />
       <DataTable
         label="Keys"
         rows={[...named, ...EVERYWHERE]}

@@ -2,6 +2,7 @@
 
 import { useEffect, useRef } from "react";
 import { createAtom, useSelector } from "@tanstack/react-store";
+import { readStored, writeStored } from "../lib/storage";
 import type { Pointer } from "../scenario/path";
 
 interface Declared {
@@ -55,6 +56,15 @@ export type ActionId = keyof typeof DECLARED;
 
 export const ACTIONS: Readonly<Record<ActionId, Declared>> = DECLARED;
 export const ACTION_IDS = Object.keys(DECLARED) as readonly ActionId[];
+
+const LETTERS_OFF = "ridelab letter keys off";
+
+/** Keys of one letter can be switched off: who speaks to the machine may say them unawares (WCAG 2.1.4). */
+export const letterKeys = createAtom(readStored(LETTERS_OFF) !== true);
+letterKeys.subscribe((on) => writeStored(LETTERS_OFF, on ? null : true));
+
+/** Whether these keys mean something now. */
+export const isKeyOn = (keys: string): boolean => letterKeys.get() || !/^[A-Z]$/.test(keys);
 
 interface Offered {
   /** It can be done now. */
