@@ -10,7 +10,7 @@ import pytest
 from sim_core.controller_files import VARIABLE
 from tests.api.conftest import ROAD, Service
 
-SCENARIO = {"road": ROAD}
+SCENARIO = {"road": {**ROAD, "length": 131}}  # not the run that tests share: it is new when it is asked for
 LAW = '''"""Mine."""
 from sim_core import Controller, option
 
