@@ -57,7 +57,7 @@ export type ActionId = keyof typeof DECLARED;
 export const ACTIONS: Readonly<Record<ActionId, Declared>> = DECLARED;
 export const ACTION_IDS = Object.keys(DECLARED) as readonly ActionId[];
 
-const LETTERS_OFF = "ridelab letter keys off";
+const LETTERS_OFF = "ridelab-letter-keys-off";
 
 /** Keys of one letter can be switched off: who speaks to the machine may say them unawares (WCAG 2.1.4). */
 export const letterKeys = createAtom(readStored(LETTERS_OFF) !== true);
