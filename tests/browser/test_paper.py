@@ -116,6 +116,7 @@ def test_sets_count_and_misprints_are_what_the_tables_show_and_the_api_says(pape
         row = paper.locator(f"#table-{cell['table']}-{cell['strategy']}-{cell['against']}-{cell['signal']}")
         follows = f"{abs(cell['misprint']['follows']):g}"
         expect(row).to_contain_text(re.compile(rf"misprint: [−+]{re.escape(follows)}\s%"))
+        expect(row.locator("s")).to_have_css("text-decoration-line", "line-through")
 
     # What is not reached is named; a name leads to its row.
     missed = api["total"] - api["reached"]
