@@ -140,7 +140,7 @@ function DifferencesCard({ then, now, strategies, onClose }: Props) {
       >
         <div role="status">
           <Text component="h2" fw={650}>
-            {differences.length === 0 ? "No differences" : `${differences.length} of ${compared} figures differ`}
+            {differences.length === 0 ? "No differences" : `${differences.length} of ${compared} metrics differ`}
           </Text>
           <Note>
             {same
@@ -211,7 +211,7 @@ interface Difference {
 
 interface Comparison {
   readonly differences: readonly Difference[];
-  /** How many figures were compared. */
+  /** How many metrics were compared. */
   readonly compared: number;
   /** Strategies that failed then or now, in words. */
   readonly failed: readonly string[];
@@ -233,7 +233,7 @@ function sizeOf(then: Figure, now: Figure, scale: number): number {
   return Math.abs(now - then) / Math.max(Math.abs(then), Math.abs(now));
 }
 
-/** The same scenario computed twice: which figures differ, the largest change first. */
+/** The same scenario computed twice: which metrics differ, the largest change first. */
 export function compareRuns(then: Run, now: Run, metrics: readonly Metric[]): Comparison {
   const differences: Difference[] = [];
   const failed: string[] = [];

@@ -50,7 +50,7 @@ export function RealTime({ scenario, seconds }: Props) {
           The same program, a frame every control step by the clock; an answer after the next frame’s time is a missed
           deadline, and the actuators hold the last command. It takes as long as the drive
           {seconds === undefined ? "" : `, about ${formatNumber(seconds, 2)} s`}. An ordinary operating system wakes
-          both sides, not a real-time one: the figures are the server’s at that moment, not an ECU’s.
+          both sides, not a real-time one: the times are the server’s at that moment, not an ECU’s.
         </Text>
         {missing !== null && <Fault>{missing}.</Fault>}
         {drive.isPending && <Waiting seconds={seconds} />}
@@ -178,7 +178,7 @@ function Report({ report }: { readonly report: RealtimeReport }) {
           <Chart
             {...chart}
             height={230}
-            label={`Histogram of ${kind.replace("_", "-")} over ${report.steps} steps; its figures stand in the table above`}
+            label={`Histogram of ${kind.replace("_", "-")} over ${report.steps} steps; its times stand in the table above`}
           />
         ) : (
           <Text c="dimmed">There is nothing to count: no answer came in time.</Text>

@@ -51,7 +51,7 @@ function Parts({ data, words }: { readonly data: Attribution; readonly words: La
       <Text className={ui.lead ?? ""} mb="0.6rem">
         From an MPC with equal weights, without preview, at constant speed to LV control; {data.seeds} roads, Ridelab’s
         readings. The three can be added in six orders; each share is its average over them, of the logarithm of the
-        mean (Shapley values), so the three make 100 %. A negative share makes the figure worse.
+        mean (Shapley values), so the three make 100 %. A negative share makes the metric worse.
       </Text>
       <ShareBars shares={data.shares} words={words} />
       <h3 className={classes.subtitle}>Every combination</h3>
@@ -128,7 +128,7 @@ function ShareBars({ shares, words }: ShareBarsProps) {
       ({ palette }: Look) => ({
         figure: sharesFigure(shares, words, palette),
         table: [
-          ["Figure", ...PARTS.map(({ label }) => `${label} [%]`)],
+          ["Metric", ...PARTS.map(({ label }) => `${label} [%]`)],
           ...shares.map((share) => [nameOf(share, words), ...PARTS.map(({ part }) => share[part])]),
         ],
       }),
@@ -153,8 +153,8 @@ function ShareBars({ shares, words }: ShareBarsProps) {
         rowKey={({ window, signal }) => `${window} ${signal}`}
         columns={[
           {
-            key: "figure",
-            head: "Figure",
+            key: "metric",
+            head: "Metric",
             text: true,
             cell: (share) => (
               <>

@@ -73,7 +73,7 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
       }
     >
       <Note className={ui.note ?? ""}>
-        How much of a figure’s variation one field alone explains, in % of the ranks’ variance (Kruskal–Wallis), and
+        How much of a metric’s variation one field alone explains, in % of the ranks’ variance (Kruskal–Wallis), and
         Spearman’s rank correlation: + means that more of the field is worse. A field without a number is no more than
         chance makes (p ≥ 0.001). Fields the strategy does not read are left out.
       </Note>

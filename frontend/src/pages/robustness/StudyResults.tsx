@@ -121,7 +121,7 @@ function Unstable({ summary, strategies }: UnstableProps) {
       data-testid="unstable"
     >
       {sentences.join("; ")}. There a small disturbance grows until the actuators’ limits stop it: the wheels then
-      oscillate by themselves. The figures below include those runs.
+      oscillate by themselves. The metrics below include those runs.
     </Alert>
   );
 }

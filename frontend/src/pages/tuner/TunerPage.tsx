@@ -26,7 +26,7 @@ import { Columns } from "../../ui/Card";
 
 export function TunerPage() {
   const lead =
-    "Searches the weights of a strategy that minimise an objective on a few training roads: the paper’s normalised sum (Eq. 16), peaks, or any figure, within limits. Several objectives give a Pareto front. The paper’s weights are the first trial. At the end the best ones are compared with them on validation roads: this shows weights that fit only the training roads.";
+    "Searches the weights of a strategy that minimise an objective on a few training roads: the paper’s normalised sum (Eq. 16), peaks, or any metric, within limits. Several objectives give a Pareto front. The paper’s weights are the first trial. At the end the best ones are compared with them on validation roads: this shows weights that fit only the training roads.";
   return (
     <Page title="Weight tuner" lead={lead}>
       <div className={ui.beside}>
