@@ -61,6 +61,8 @@ def test_a_measured_road_is_driven_taken_off_chosen_saved_and_taken_to_another_s
     dashboard: Dashboard, tmp_path: Path
 ) -> None:
     page, address = open_with_road(dashboard, ROADS / "street.csv")
+    remarks = page.get_by_text(re.compile(r"^\d remarks$"))
+    remarks.click()
     expect(page.get_by_text("Bumps in it: 71 mm at 100.1 m over 3.6 m.")).to_be_visible()
     expect(page.get_by_text("The mean of left and right track is taken")).to_be_visible()
     expect(dashboard.entry("Length")).to_have_value("180")
@@ -110,6 +112,7 @@ def test_a_measured_road_is_driven_taken_off_chosen_saved_and_taken_to_another_s
     expect(wheels.get_by_role("alert")).to_contain_text("are within the road: v from -1.5 m right to 1.5 m left")
     wheels.get_by_label("Right wheel").fill("−0.6")
     wheels.get_by_role("button", name="Drive this road").click()
+    remarks.click()
     expect(page.get_by_text("Wheels run 0.6 m left of the reference line and 0.6 m right of it")).to_be_visible()
     choice.select_option("street")
 
