@@ -36,6 +36,12 @@ def test_a_click_says_why_the_panel_follows_the_cursor_and_a_link_leads_there(da
     panel.get_by_role("button", name="Copy a link to this instant").click()
     expect(page).to_have_url(re.compile(r"instant=lv~[\d.]+"))
     address = page.url
+    page.keyboard.press("Control+k")
+    commands = page.get_by_role("textbox", name="Search commands and fields")
+    expect(commands).to_be_visible()
+    page.keyboard.press("Escape")
+    expect(commands).to_be_hidden()
+    expect(panel).to_have_count(1)
     page.keyboard.press("Escape")
     expect(panel).to_have_count(0)
     expect(page).not_to_have_url(re.compile("instant="))

@@ -28,6 +28,10 @@ const HEAD = {
   background: "var(--surface)",
 } as const;
 
+/** What is open over the page closes by itself, and before the panel does. */
+const liesOver = (target: EventTarget | null) =>
+  target instanceof Element && target.closest("[role=dialog], [role=menu], [role=listbox]") !== null;
+
 interface Props {
   readonly title: string;
   /** What stands beside the title. */
@@ -46,7 +50,7 @@ export function SidePanel({ title, tools, onClose, children, ...rest }: Props) {
     return () => main?.removeAttribute("data-beside");
   }, []);
   useWindowEvent("keydown", (event) => {
-    if (event.key === "Escape" && !event.defaultPrevented) onClose();
+    if (event.key === "Escape" && !event.defaultPrevented && !liesOver(event.target)) onClose();
   });
   return (
     <Card ref={ref} style={isNarrow ? BELOW : BESIDE} data-unprinted aria-label={title} {...rest}>

@@ -84,7 +84,9 @@ export function Editor({ form }: { readonly form: Group }) {
         value={search}
         onChange={(event) => setSearch(event.currentTarget.value)}
         onKeyDown={(event) => {
-          if (event.key === "Escape") setSearch("");
+          if (event.key !== "Escape" || search === "") return;
+          event.preventDefault(); // it closes nothing else
+          setSearch("");
         }}
       />
       {shownSections.length === 0 && (

@@ -128,6 +128,7 @@ export function NumberEntry({ id, field, leaf, label, withUnit = true, disabled 
           step((event.key === "ArrowUp" ? 1 : -1) * (event.shiftKey ? LARGE_STEP : 1));
         }
         if (event.key === "Escape") {
+          if (draft !== null || leaf.rejected) event.preventDefault(); // it closes nothing else
           setDraft(null);
           leaf.clearInvalid();
         }

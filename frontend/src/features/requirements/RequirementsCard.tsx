@@ -194,9 +194,11 @@ function LimitEntry({ label, unit, value, onSet }: LimitEntryProps) {
       error={parsed && !parsed.ok ? parsed.message : undefined}
       onType={setTyped}
       onBlur={finish}
-      onKeyDown={({ key }) => {
-        if (key === "Enter") finish();
-        if (key === "Escape") setTyped(null);
+      onKeyDown={(event) => {
+        if (event.key === "Enter") finish();
+        if (event.key !== "Escape" || typed === null) return;
+        event.preventDefault(); // it closes nothing else
+        setTyped(null);
       }}
     />
   );
