@@ -42,7 +42,10 @@ export default defineConfig({
     },
   },
   // Files without a page share what they import: in a process of its own each would read half of the sources again.
+  // They run behind everything else on a busy machine, so none of them is in a hurry.
   test: {
+    testTimeout: 120_000,
+    setupFiles: "scripts/patience.mjs",
     include: ["src/**/*.test.{ts,tsx}", "scripts/*.test.mjs"],
     environment: "node",
     isolate: false,

@@ -45,5 +45,8 @@ it("a study's address asks for the study and for what may be varied at once", as
   const { router } = routes();
   answer.mockReturnValue(new Promise<Response>(() => undefined)); // the server takes its time
   void router.navigate({ to: "/robustness/$id", params: { id: "B" } });
-  await vi.waitFor(() => expect(answer.mock.calls.flat().sort()).toEqual(["/api/v1/batches/B", "/api/v1/robustness"]));
+  await vi.waitFor(
+    () => expect(answer.mock.calls.flat().sort()).toEqual(["/api/v1/batches/B", "/api/v1/robustness"]),
+    60_000,
+  );
 });

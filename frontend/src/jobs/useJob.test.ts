@@ -41,15 +41,15 @@ it("A running tuning whose past events come all at once is asked for once at a t
   const observer = new QueryObserver(queries, jobQuery(kind, "T"));
   const leave = observer.subscribe(() => undefined);
   asked[0]?.answer();
-  await vi.waitFor(() => expect(observer.getCurrentResult().data).toBeDefined());
+  await vi.waitFor(() => expect(observer.getCurrentResult().data).toBeDefined(), 60_000);
 
   const stop = followJob(kind, "T", queries, { onConnected: () => undefined, onEvent: () => undefined });
   for (let number = 1; number <= 60; number++) Stream.newest?.say(number);
   expect(asked).toHaveLength(2);
   asked[1]?.answer();
-  await vi.waitFor(() => expect(asked).toHaveLength(3));
+  await vi.waitFor(() => expect(asked).toHaveLength(3), 60_000);
   asked[2]?.answer();
-  await vi.waitFor(() => expect(observer.getCurrentResult().data?.trials.done).toBe(20));
+  await vi.waitFor(() => expect(observer.getCurrentResult().data?.trials.done).toBe(20), 60_000);
   expect(asked).toHaveLength(3);
   expect(asked.map(({ signal }) => signal?.aborted)).toEqual([false, false, false]);
   stop();

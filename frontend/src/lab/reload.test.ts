@@ -84,7 +84,7 @@ it("The run before the last edit is asked for once, when the run that was shown 
   expect(compareWith).not.toHaveBeenCalled();
   store.set((state) => ({ ...state, latestResult: resultOf("R2", LOW) }));
   store.set((state) => ({ ...state, busy: false }));
-  await vi.waitFor(() => expect(compareWith.mock.calls).toEqual([[LOW, resultOf("R1", PAPER)]]));
+  await vi.waitFor(() => expect(compareWith.mock.calls).toEqual([[LOW, resultOf("R1", PAPER)]]), 60_000);
 });
 
 it("It is what changes are against again, unless there is another one, or another scenario is shown by then", () => {

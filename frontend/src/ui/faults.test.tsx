@@ -40,7 +40,7 @@ it("a fault in one card leaves the others, and can be tried again", async () => 
   expect(screen.getByText("curves")).toBeTruthy();
 });
 
-it("a dialog whose code is missing says so, closes, and leaves what was there", { timeout: 30_000 }, async () => {
+it("a dialog whose code is missing says so, closes, and leaves what was there", async () => {
   const Missing = lazy(() => Promise.reject<{ default: () => null }>(new Error("404")));
   const close = vi.fn();
   shown(
@@ -48,7 +48,7 @@ it("a dialog whose code is missing says so, closes, and leaves what was there", 
       <Missing />
     </LazyPart>,
   );
-  await screen.findByRole("dialog", { name: "This part of the page could not be shown" }, { timeout: 20_000 });
+  await screen.findByRole("dialog", { name: "This part of the page could not be shown" });
   expect(screen.getByText("the lab")).toBeTruthy();
   const [closeButton] = screen.getAllByRole("button", { name: "Close" });
   if (closeButton) await userEvent.click(closeButton);
