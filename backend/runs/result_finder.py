@@ -138,7 +138,7 @@ class ResultFinder:
         fresh = {name: key for name, key in missing.items() if name not in joined}
         by_work: dict[tuple[str, ...], dict[str, str]] = {}
         for name, key in fresh.items():
-            by_work.setdefault(_shared_work(name, scenario, request.roads), {})[name] = key
+            by_work.setdefault(shared_work(name, scenario, request.roads), {})[name] = key
         for each in by_work.values():
             computing = self._compute_fresh(scenario, each, request)
             tasks |= dict.fromkeys(each, self._in_progress.begin([(key, sampling) for key in each.values()], computing))
@@ -157,7 +157,7 @@ class ResultFinder:
         return outcomes
 
 
-def _shared_work(name: str, scenario: Scenario, roads: int) -> tuple[str, ...]:
+def shared_work(name: str, scenario: Scenario, roads: int) -> tuple[str, ...]:
     """Alike for strategies that one worker computes: ours of one speed plan, and over several roads all of ours.
 
     Somebody's own law may take a worker's whole time: it has one to itself, whatever it is called.

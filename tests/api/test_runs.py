@@ -10,6 +10,7 @@ import pytest
 from backend.digest import run_id
 from backend.models import LiveRun
 from backend.runs.models import CreatedRun, Run
+from backend.runs.result_finder import shared_work
 from backend.store.runs import RunStore
 from sim_core import Scenario, StrategyResult, __version__, simulate
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STATISTICS, WINDOWS
@@ -185,3 +186,27 @@ def test_a_rule_base_of_its_own_changes_those_that_slow_down_and_comes_back_as_i
     assert "fuzzy.rules=" in report
     again = service.run(["speed_only"], {"fuzzy": stored}).json()
     assert again["strategies"]["speed_only"]["cached"] is True
+
+
+@pytest.mark.parametrize(
+    ("policy", "expected"), [("by_strategy", [["lqr", "lv"], ["passive"]]), ("planned", [["lqr", "lv", "passive"]])]
+)
+def test_strategies_of_one_speed_plan_share_a_worker(
+    service: Any, unseen: dict[str, Any], monkeypatch: pytest.MonkeyPatch, policy: str, expected: list[list[str]]
+) -> None:
+    workers, tasks = service.services.workers, []
+    original = workers.call
+
+    async def counted(function: Any, scenario: Scenario, keys: dict[str, str], *arguments: Any, **queued: Any) -> Any:
+        tasks.append(sorted(keys))
+        return await original(function, scenario, keys, *arguments, **queued)
+
+    monkeypatch.setattr(workers, "call", counted)
+    service.run(["lv", "lqr", "passive"], unseen | {"speed": {"policy": policy}}).raise_for_status()
+    assert sorted(tasks) == expected
+
+
+def test_a_law_of_ones_own_shares_no_worker_whatever_it_is_called() -> None:
+    together = {shared_work(name, Scenario(), 1) for name in ("lv", "passive", "planned", "constant")}
+    assert len(together) == 4
+    assert shared_work("mine", Scenario(), 5) != shared_work("lv", Scenario(), 5)

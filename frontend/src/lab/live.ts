@@ -67,7 +67,7 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
     return Math.round(Math.min(POINTS_MOST, (2 * POINTS) / Math.max(part, 0.01)));
   };
 
-  /** The bump alone where nothing else is shown, which is a third less work: on the time axis each strategy has its own. */
+  /** The bump alone where nothing else is shown: on the time axis each strategy meets it at another time. */
   const partInSight = (): Pick<LiveRequest, "part" | "points"> => {
     const { zoom, axis, differences } = labAddress.get().view;
     const at = cursor.get("distance");
