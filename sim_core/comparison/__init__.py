@@ -1,0 +1,1 @@
+"""What results mean beside each other, and what to beware of."""
