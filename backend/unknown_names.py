@@ -32,15 +32,16 @@ def pointer(path: Path) -> str:
 def unknown_name(what: str, name: str | int, offered: Sequence[str]) -> str:
     """Such as `Unknown field hight, perhaps height; there are shape, height, width`.
 
-    Of many names only those like it are said, where there are such. A dotted name below one that is offered is said to
-    be nested.
+    Of many names only those like it are said, where there are such: dotted names that end with it come first. A dotted
+    name below one that is offered is said to be nested.
     """
     message = f"Unknown {what} {name}" if is_name(name) else f"Unknown {what}"
     first, *rest = str(name).split(".")
     if what == "field" and rest and first in offered and is_name(name):
         nested = ": {".join(f'"{each}"' for each in (first, *rest))
         return f"{message}: write it as {{{nested}: ...{'}' * (1 + len(rest))}"
-    similar = get_close_matches(str(name), offered) if is_name(name) else []
+    same_end = [each for each in offered if each.endswith(f".{name}")]
+    similar = (same_end or get_close_matches(str(name), offered)) if is_name(name) else []
     perhaps = f", perhaps {' or '.join(similar)}" if similar else ""
     if similar and len(offered) > _MANY:
         return message + perhaps

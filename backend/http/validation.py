@@ -7,6 +7,7 @@ from typing import Annotated, Any, Union, get_args, get_origin
 from pydantic import BaseModel
 
 from backend.unknown_names import Path, is_name, pointer, shown_path, unknown_name
+from sim_core.scenario import dotted
 
 _LISTS_OF_NAMES = ["strategies"], ["signals"]  # of requests
 
@@ -40,7 +41,15 @@ def blamed(item: Mapping[str, Any], model: Any) -> dict[str, str]:
         message = "There has to be at least one"
     elif item["type"] == "model_attributes_type" or (not path and item["type"] != "missing"):
         message = "This has to be a JSON object"
+    else:
+        message = dotted.explain(item, _unit(path))
     return {"pointer": pointer(shown_path(path)), "message": message}
+
+
+def _unit(path: Path) -> str:
+    """Return the unit of the scenario's field at a path into the body; `1` where it is no field or has none."""
+    field = dotted.scenario_fields().get(".".join(map(str, path[1:]))) if path[:1] == ["scenario"] else None
+    return "1" if field is None else field.unit
 
 
 def locate_in_body(model: Any, path: Path) -> tuple[list[str | int], list[str]]:

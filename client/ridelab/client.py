@@ -15,7 +15,7 @@ from ridelab.measurement_methods import MeasurementMethods
 from ridelab.requirements import Requirement, required
 from ridelab.results import Link, LinkedResult, RunResult, Solution, compared, quoted_id
 from ridelab.run_methods import RunMethods
-from ridelab.units import quantity, starts_as_number
+from ridelab.units import SWITCH, quantity, starts_as_number, switch
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -48,7 +48,8 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
 
         Args:
             preset: Its id.
-            changes: By dotted name; a text may say a unit, `{"road.bump.height": "12 cm"}`.
+            changes: By dotted name; a text may say a unit, `{"road.bump.height": "12 cm"}`, or switch a field on or
+                off, `{"vehicle.tyre_lift_off": "on"}`.
 
         Raises:
             ValueError: There is no such preset or place, or a text is not understood.
@@ -257,11 +258,12 @@ def _flattened(readings: Mapping[str, str] | None = None, **asked: Any) -> dict[
 
 
 def _value(name: str, value: Any, units: Mapping[str, str]) -> Any:
-    """A field's value; of a text with a number and a unit the number, in the field's own unit."""
-    if not isinstance(value, str) or not starts_as_number(value):
+    """Return a field's value: of a text with a number and a unit the number, in the field's own unit."""
+    unit = units.get(name, "1")
+    if not isinstance(value, str) or not (unit == SWITCH or starts_as_number(value)):
         return value
     try:
-        return quantity(value, units.get(name, "1"))
+        return switch(value) if unit == SWITCH else quantity(value, unit)
     except ValueError as error:
         wrong = error if name in units else f"there is no such name{similar(name, units)}"
         raise ValueError(f"{name}: {wrong}") from None

@@ -38,6 +38,18 @@ ALIASES: Mapping[str, str] = {
     "deg/s^2": "°/s^2",
     "inch": "in",
 }
+# Stands in a unit's place where a field is true or false.
+SWITCH = "on/off"
+_SWITCH_WORDS = {
+    "true": True,
+    "on": True,
+    "yes": True,
+    "1": True,
+    "false": False,
+    "off": False,
+    "no": False,
+    "0": False,
+}
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?", re.IGNORECASE)
 _DIGITS = 12  # 7 cm are 0.07 m, not 0.07000000000000001
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻μ", "0123456789-µ")
@@ -64,6 +76,27 @@ def quantity(text: str, unit: str) -> float:
         others = " or".join(", ".join(each for each in units if each != "1").rsplit(",", 1))
         raise ValueError(f"{text} is not understood: it takes {others or 'a number without a unit'}")
     return float(f"{number * units[name] / units[unit]:.{_DIGITS}g}")
+
+
+def switch(text: str) -> bool:
+    """Return what a text says of a field that is true or false.
+
+    Raises:
+        ValueError: It says neither; the message names what it takes.
+    """
+    value = _SWITCH_WORDS.get(text.strip().lower())
+    if value is None:
+        raise ValueError(f"{text} is not understood: it takes true or false, on or off, yes or no, 1 or 0")
+    return value
+
+
+def unit_within(number: str, unit: str, low: float, high: float) -> str | None:
+    """Return the unit of the same quantity in which a number lies between two values given in `unit`.
+
+    Of several the one that makes it greatest; None if there is none.
+    """
+    values = {quantity(f"{number}{name}", unit): name for name in _of_same_quantity(unit) if name != "1"}
+    return values.get(max((value for value in values if low <= value <= high), default=math.nan))
 
 
 def starts_as_number(text: str) -> bool:

@@ -21,6 +21,7 @@ from sim_core.scenario.fields import Weight
 Kind = Literal["number", "integer", "switch", "choice", "text", "weights", "data"]
 OWN = "own."
 OPTION = r"^own\.[a-z][a-z0-9_]*\.[A-Za-z_][A-Za-z0-9_]*$"
+_LIMITS = {"less_than", "less_than_equal", "greater_than", "greater_than_equal"}  # pydantic's names of them
 STRICT = ConfigDict(strict=True, allow_inf_nan=False, hide_input_in_errors=True)
 
 
@@ -42,11 +43,11 @@ class DottedField:
         Raises:
             RidelabError: It is of another type or beyond the hard limits; the message does not repeat it.
         """
-        return self.adapter.dump_python(validated(self.adapter, value, self.name), mode="json")
+        return self.adapter.dump_python(validated(self.adapter, value, self.name, self.unit), mode="json")
 
 
-def validated(adapter: TypeAdapter[Any], value: Any, field: str) -> Any:
-    """The value as the adapter takes it.
+def validated(adapter: TypeAdapter[Any], value: Any, field: str, unit: str = "1") -> Any:
+    """Return the value as the adapter takes it.
 
     Raises:
         RidelabError: It does not, of that field; the message does not repeat the value.
@@ -54,7 +55,19 @@ def validated(adapter: TypeAdapter[Any], value: Any, field: str) -> Any:
     try:
         return adapter.validate_python(value)
     except ValidationError as error:
-        raise RidelabError(error.errors(include_input=False)[0]["msg"], field=field) from None
+        raise RidelabError(explain(error.errors(include_input=False)[0], unit), field=field) from None
+
+
+def explain(error: Mapping[str, Any], unit: str = "1") -> str:
+    """Return what one of pydantic's errors says of a field: a limit with its unit.
+
+    Args:
+        error: The error, of `ValidationError.errors()`.
+        unit: The field's unit, `1` for none.
+    """
+    if error["type"] == "bool_type":
+        return "Input should be true or false"
+    return f"{error['msg']} {unit}" if error["type"] in _LIMITS and unit != "1" else str(error["msg"])
 
 
 _find_options: Callable[[], Mapping[str, DottedField]] = dict

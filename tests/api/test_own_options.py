@@ -62,9 +62,9 @@ def test_options_are_fields_that_only_their_law_reads(service: Service) -> None:
 @pytest.mark.parametrize(
     ("sent", "pointer", "said"),
     [
-        ({"mine": {"damping": 30_000}}, "mine/damping", "Input should be less than or equal to 20000"),
+        ({"mine": {"damping": 30_000}}, "mine/damping", "Input should be less than or equal to 20000 N·s/m"),
         ({"mine": {"damping": "hard"}}, "mine/damping", "Input should be a valid number"),
-        ({"mine": {"hard": 1}}, "mine/hard", "Input should be a valid boolean"),
+        ({"mine": {"hard": 1}}, "mine/hard", "Input should be true or false"),
         ({"mine": {"dampng": 1.0}}, "mine/dampng", "Unknown option dampng, perhaps damping; there are hard, damping"),
         (
             {"mien": {"damping": 1.0}},

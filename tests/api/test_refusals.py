@@ -44,6 +44,10 @@ def second(**requirement: Any) -> dict[str, Any]:
     [
         ("runs", {"scenario": {"road": {"length": "150"}}}, "/scenario/road/length", "number"),
         ("runs", {"scenario": {"road": {"length": int("9" * 308)}}}, "/scenario/road/length", "less"),
+        ("runs", {"scenario": {"hook": {"semi_active": "on"}}}, "/scenario/hook/semi_active", "true or false"),
+        ("runs", {"scenario": {"hook": {"semi_active": 1}}}, "/scenario/hook/semi_active", "true or false"),
+        ("runs", {"scenario": {"road": {"bump": {"height": 12}}}}, "/scenario/road/bump/height", "or equal to 1 m"),
+        ("batches", {"sweep": {"grid": {"road.bump.height": [0.1, 2]}}}, "/sweep/grid/road.bump.height/1", "to 1 m"),
         ("runs", {"scenario": {"road": {"roughness": "I"}}}, "/scenario/road/roughness", "a road class of ISO 8608"),
         ("runs", {"scenario": {"road": {"bump": {"my colour": 1}}}}, "/scenario/road/bump", "Unknown field"),
         (
@@ -120,6 +124,7 @@ def second(**requirement: Any) -> dict[str, Any]:
             "/sweep/list/1/rode.seed",
             "rode.seed, perhaps road.seed",
         ),
+        ("batches", {"sweep": {"grid": {"height": [0.1]}}}, "/sweep/grid/height", "height, perhaps road.bump.height"),
         ("tunings", {"strategy": MISSING}, "/strategy", "Unknown strategy that can be tuned; there are lv"),
         ("tunings", {"objectives": [{"kind": "figure", "figure": "no.such"}]}, "/objectives/0/figure", ""),
         (
@@ -149,7 +154,7 @@ def second(**requirement: Any) -> dict[str, Any]:
         ("solve", {"range": [0.2, 0.1]}, "/range", "the first smaller"),
         ("solve", {"range": [0, 5e-324]}, "/range", "as wide as 1e-09 of its larger end"),
         ("solve", {"field": "road.bump.width", "range": [1, 1.0000000000000002]}, "/range", "as wide as 1e-09"),
-        ("solve", {"range": [0.1, 3]}, "/range/1", "less than or equal to 1"),
+        ("solve", {"range": [0.1, 3]}, "/range/1", "less than or equal to 1 m"),
         ("solve", {"range": [0.1]}, "/range/1", "required"),
         ("solve", {"field": "road.bump.count", "range": [1.5, 3]}, "/range/0", "integer"),
         ("solve", {"scenario": {"road": ROAD}, "field": "road.bump.width", "range": [50, 60]}, "/range", "must end"),

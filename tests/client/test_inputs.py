@@ -18,11 +18,13 @@ from ridelab.cli.names import Names
 from ridelab.cli.reporting import InputError, show_table
 from ridelab.cli.service import Services
 from ridelab.cli.targets import find
+from ridelab.fields import limits_of, units_of
 from sim_core.catalogue import METRICS
-from sim_core.scenario import Estimation, Scenario, dotted
+from sim_core.scenario import Estimation, Scenario
 from sim_core.simulate import simulate
 
-UNITS = {name: field.unit for name, field in dotted.fields().items()}
+SCHEMA = Scenario.model_json_schema()
+UNITS = units_of(SCHEMA)
 
 
 @pytest.fixture
@@ -30,7 +32,14 @@ def services() -> Services:
     services = Services(None, None)
     paper = {"paper": Scenario().model_dump(mode="json")}
     services.names = Names(
-        fields=UNITS, strategies={}, presets=paper, signals={}, windows={}, paper_signals=[], metrics={}
+        fields=UNITS,
+        limits=limits_of(SCHEMA),
+        strategies={},
+        presets=paper,
+        signals={},
+        windows={},
+        paper_signals=[],
+        metrics={},
     )
     return services
 
@@ -44,7 +53,10 @@ def test_changes_are_set_in_what_is_given(services: Services) -> None:
         "mpc.preview": "none",
         "mpc.stage_weights.cruise": "1,2,3",
         "mpc.stage_weights.brake.1 ": " 5",
+        "lqr.weights": "1 1 6",
         "actuator.bandwidth": "null",
+        "vehicle.tyre_lift_off": "1",
+        "hook.semi_active": "off",
         "vehicle.front_damper_curve": "[[-1, -500], [1, 900]]",
         "fuzzy.rules": '[{"if": {"distance": "O"}, "then": "V"}]',
     }
@@ -52,10 +64,12 @@ def test_changes_are_set_in_what_is_given(services: Services) -> None:
     scenario = Scenario.model_validate(changed)
     assert (scenario.road.length, scenario.road.bump.height, scenario.road.seed) == (130, 0.12, 4)
     assert scenario.speed.initial_speed_kmh == 36
-    assert (scenario.mpc.preview, scenario.mpc.stage_weights.cruise) == ("none", (1, 2, 3))
+    assert (scenario.mpc.stage_weights.cruise, scenario.lqr.weights) == ((1, 2, 3), (1, 1, 6))
     assert [rule.then for rule in scenario.fuzzy.rules or ()] == ["V"]
     assert [force for _, force in scenario.vehicle.front_damper_curve or ()] == [-500, 900]
     assert (scenario.mpc.stage_weights.brake, scenario.actuator.bandwidth) == ((2, 5, 1), None)
+    assert scenario.mpc.preview == "none"
+    assert (scenario.vehicle.tyre_lift_off, scenario.hook.semi_active) == (True, False)
     assert scenario_json == {"road": {"length": 130}}
     assert fields.changed(scenario_json, [], services) == scenario_json
 
@@ -86,7 +100,14 @@ def test_a_measured_road_that_is_chosen_brings_its_length(
     [
         ("road.bump.height=NaN", "road.bump.height: NaN is not a finite number"),
         ("road.bump.height=12 kg", "road.bump.height: 12 kg is not understood: it takes m, mm, cm, km, in or ft"),
+        ("road.bump.height=12", "road.bump.height: 12 m is not within -1 to 1 m; perhaps 12cm"),
+        ("vehicle.body_mass=1.2", "vehicle.body_mass: 1.2 kg is not within 50 to 50000 kg; perhaps 1.2t"),
+        ("road.bump.count=0", "road.bump.count: 0 is not within 1 to 200"),
+        ("height=0.1", "height: there is no such name; perhaps road.bump.height"),
+        ("bump.height=0.1", "bump.height: there is no such name; perhaps road.bump.height"),
+        ("xyz=0.1", "xyz: there is no such name; ridelab fields lists them"),
         ("road.bump.hight=12 cm", "road.bump.hight: there is no such name; perhaps road.bump.height"),
+        ("vehicle.tyre_lift_off=2", "vehicle.tyre_lift_off: 2 is not understood: it takes true or false, on or off"),
         ("road.bump.height", "--set takes FIELD=VALUE, and road.bump.height is no such pair"),
         ("road.bump.height=", "--set takes FIELD=VALUE, and road.bump.height= is no such pair"),
     ],
@@ -102,6 +123,7 @@ def test_sweeps() -> None:
         "road.bump.height": ("5cm:150mm:5", [0.05, 0.075, 0.1, 0.125, 0.15]),
         "road.bump.width": ("0, 10cm, 50mm", [0, 0.1, 0.05]),
         "road.seed": ("1:5:3", [1, 3, 5]),
+        "vehicle.tyre_lift_off": ("0,True", [False, True]),
         "mpc.preview": ("lookahead,none", ["lookahead", "none"]),
         "mpc.stage_weights.cruise": ("[8,1,1],[2,6,1]", [[8, 1, 1], [2, 6, 1]]),
     }
@@ -123,6 +145,7 @@ def _range(specs: list[str]) -> object:
 @pytest.mark.parametrize(
     ("read", "specs", "said"),
     [
+        (_grid, ["vehicle.tyre_lift_off=0:1:2"], "vehicle.tyre_lift_off: 0:1:2 is not understood: it takes true or"),
         (_grid, ["road.bump.height=0:1:1"], "road.bump.height: LOW:HIGH:COUNT"),
         (_grid, ["road.bump.height=0.05:0.15:0.01"], "0.05:0.15:0.01 is neither LOW:HIGH:COUNT, such as"),
         (_grid, ["road.bump.height=0.05-0.15"], "0.05-0.15 is not understood: it takes m, mm"),
@@ -133,6 +156,8 @@ def _range(specs: list[str]) -> object:
         (_grid, ["road.bump.width=2:120cm:3"], "road.bump.width: 2 and 120cm: give each number its unit"),
         (_range, ["road.bump.width=2:120cm"], "road.bump.width: 2 and 120cm: give each number its unit"),
         (_range, ["road.bump.hight=2cm:12cm"], "road.bump.hight: there is no such name; perhaps road.bump.height"),
+        (_grid, ["height=1,2"], "height: there is no such name; perhaps road.bump.height"),
+        (_grid, ["xyz=1,2"], "xyz: there is no such name; ridelab fields lists them"),
         (_range, ["road.bump.height=1"], "a range is LOW:HIGH"),
     ],
 )

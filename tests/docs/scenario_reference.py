@@ -13,6 +13,7 @@ _HEAD = """# The scenario, field by field
 
 Written from sim_core/scenario/parts.py; a test keeps this page equal to it. Every field
 has a default, the paper's unless its text says "ours"; the range is what a slider offers, the limits what is accepted.
+A field that is on or off is `true` or `false` in JSON; the command takes `on`, `off`, `yes`, `no`, `1` and `0` too.
 """
 _DATA_SHEET = """Of what a whole car's data sheet says `sim_core.scenario.data_sheet.DataSheet`,
 `POST /api/v1/vehicles/from-data-sheet` and the page make a `vehicle`; its fields stand in no scenario."""
@@ -97,9 +98,11 @@ def _field(path: str, field: dict[str, Any]) -> str:
 
 
 def _show(value: Any) -> str:
-    """A number without needless digits, a list as JSON has it, null as none."""
+    """Return a number without needless digits, a list and a boolean as JSON has them, null as none."""
     if value is None:
         return "none"
+    if isinstance(value, bool):
+        return str(value).lower()
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_show(item) for item in value) + "]"
     return f"{value:.10g}" if isinstance(value, (int, float)) else str(value)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from ridelab.units import ALIASES, UNITS, quantity
+from ridelab.units import ALIASES, UNITS, quantity, switch
 from sim_core.scenario import dotted
 
 PAGE = Path(__file__).parents[2] / "frontend/src/units/units.gen.json"
@@ -48,6 +48,20 @@ def test_a_number_with_a_unit_is_converted(text: str, unit: str, value: float) -
 def test_another_quantity_is_refused_with_the_units_there_are(text: str, unit: str, message: str) -> None:
     with pytest.raises(ValueError, match="^" + message.replace("^", "\\^") + "$"):
         quantity(text, unit)
+
+
+@pytest.mark.parametrize("words", [("true", "on", "yes", "1"), ("false", "off", "no", "0")])
+def test_a_switch_is_read_as_people_write_it(words: tuple[str, ...]) -> None:
+    written = {spelling for word in words for spelling in (word, word.capitalize(), word.upper(), f" {word} ")}
+    assert {switch(text) for text in written} == {words[0] == "true"}
+
+
+@pytest.mark.parametrize("text", ["", "2", "null", "none", "enabled", "0.0"])
+def test_another_word_for_a_switch_is_refused_with_those_there_are(text: str) -> None:
+    with pytest.raises(
+        ValueError, match=f"^{text} is not understood: it takes true or false, on or off, yes or no, 1 or"
+    ):
+        switch(text)
 
 
 def test_every_fields_unit_is_known() -> None:

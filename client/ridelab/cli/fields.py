@@ -5,16 +5,18 @@ A number may have a unit (`12cm`). Which fields there are and which values they 
 
 import math
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from itertools import accumulate
 from pathlib import Path
 from typing import Any
 
 from ridelab import fields as scenario_fields
+from ridelab.cli.names import Names
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
 from ridelab.cli.targets import document, find
-from ridelab.fields import similar
-from ridelab.units import is_number, quantity, starts_as_number
+from ridelab.fields import Limits, similar
+from ridelab.units import SWITCH, is_number, quantity, starts_as_number, switch, unit_within
 
 _SPAN = re.compile(r"([^:]+):([^:]+):(\d+)")
 _DIGITS = 12  # 0.05:0.15:11 gives 0.06 and not 0.060000000000000005
@@ -44,9 +46,9 @@ def changed(
     whole = _merged(next(iter(services.names.presets.values())), scenario)
     pairs = [_pair(change, "--set takes FIELD=VALUE") for change in changes]
     pairs.sort(key=lambda pair: pair[0] != VEHICLE)  # its fields may be changed, wherever it stands
-    units = services.names.fields
     values = {
-        name: vehicle_of(text, services) if name == VEHICLE else read(name, text, _value, units) for name, text in pairs
+        name: vehicle_of(text, services) if name == VEHICLE else _field(name, text, services.names)
+        for name, text in pairs
     }
     result, named, road = with_values(whole, values), {*values, *swept}, scenario.get("road")
     has_length = isinstance(road, dict) and "length" in road and PROFILE not in named
@@ -109,6 +111,7 @@ def _unique(specs: Sequence[str], option: str, form: str, reader: Read, units: M
     for name, text in (_pair(spec, f"{option} takes {form}") for spec in specs):
         if name in values:
             raise InputError(f"{name}: given twice to {option}")
+        _check_name(name, units)
         values[name] = read(name, text, reader, units)
     return values
 
@@ -119,6 +122,36 @@ def _pair(text: str, form: str) -> tuple[str, str]:
     if not value:
         raise InputError(f"{form}, and {text or 'nothing'} is no such pair")
     return name, value
+
+
+def _field(name: str, text: str, names: Names) -> Any:
+    """Return a field's value as `--set` takes it; of a whole part, too, which is JSON."""
+    units, limits = names.fields, names.limits.get(name)
+    _check_name(name, [*units, *_parts(units)])
+    value = read(name, text, _value, units)
+    if limits is not None and is_number(text) and not limits.least <= value <= limits.most:
+        raise InputError(f"{name}: {_beyond(text, units[name], limits)}")
+    return value
+
+
+def _beyond(text: str, unit: str, limits: Limits) -> str:
+    """Return what to say of a number beyond a field's limits, and which unit it may have been meant in."""
+    shown_unit = "" if unit == "1" else f" {unit}"
+    meant = unit_within(text, unit, *limits.usual)
+    hint = f"; perhaps {text}{meant}" if meant else ""
+    return f"{text}{shown_unit} is not within {limits.least:g} to {limits.most:g}{shown_unit}{hint}"
+
+
+def _parts(names: Iterable[str]) -> Iterator[str]:
+    """Return what a scenario's fields are grouped in: `road`, `road.bump`."""
+    parts = {part for name in names for part in accumulate(name.split(".")[:-1], "{}.{}".format)}
+    return (part for part in parts if part not in names)  # weights are fields themselves
+
+
+def _check_name(name: str, names: Collection[str]) -> None:
+    """Refuse a field that the service does not have."""
+    if name not in names:
+        raise InputError(f"{name}: there is no such name{similar(name, names) or '; ridelab fields lists them'}")
 
 
 def read(name: str, text: str, reader: Read, units: Mapping[str, str]) -> Any:
@@ -135,7 +168,7 @@ def _values(text: str, unit: str) -> list[Any]:
     """`0.05:0.15:11` (both ends, evenly), values with commas, or weights such as `[8,1,1],[2,6,1]`."""
     if text.startswith("["):
         return list(document(f"[{text}]".encode(), "weights"))
-    if ":" not in text:
+    if ":" not in text or unit == SWITCH:
         return _together(text.split(","), unit, _value)
     if (span := _SPAN.fullmatch(text)) is None:
         hint = "LOW:HIGH:COUNT, such as 0.05:0.15:11 for 11 values with both ends, nor values with commas between them"
@@ -170,13 +203,20 @@ def _together(texts: Sequence[str], unit: str, read: Read) -> list[Any]:
 
 
 def _value(text: str, unit: str) -> Any:
-    """A number, three weights with or without brackets, JSON, null where a field may be without a value, or a word."""
+    """Return a number, a list, JSON, null where a field may be without a value, or a word.
+
+    Three weights may stand with or without brackets and commas. What a switch takes, `ridelab.units.switch` says.
+    """
+    if unit == SWITCH:
+        return switch(text)
     if text in _WORDS:
         return _WORDS[text]
     if text.startswith(("{", "[{", "[[")):
         return document(text.encode(), "the value")
     if "," in text:
         return [_value(item.strip(), unit) for item in text.removeprefix("[").removesuffix("]").split(",")]
+    if len(words := text.split()) > 1 and all(map(is_number, words)):
+        return [_value(word, unit) for word in words]
     try:
         number = float(text)
     except ValueError:

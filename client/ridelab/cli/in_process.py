@@ -120,7 +120,13 @@ _NAMES: Mapping[str, Callable[[], Any]] = {
 
 
 def _said(error: Mapping[str, Any]) -> str:
-    return "there is no such field; ridelab fields lists them" if error["type"] == "extra_forbidden" else error["msg"]
+    """Return what one of pydantic's errors says of a scenario's field."""
+    from sim_core.scenario import dotted
+
+    if error["type"] == "extra_forbidden":
+        return "there is no such field; ridelab fields lists them"
+    field = dotted.scenario_fields().get(".".join(map(str, error["loc"])))
+    return dotted.explain(error, "1" if field is None else field.unit)
 
 
 def _run(body: Mapping[str, Any], refusal: list[str]) -> dict[str, Any] | None:

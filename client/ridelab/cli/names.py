@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Self
 
 from ridelab.client import Ridelab
-from ridelab.fields import units_of
+from ridelab.fields import Limits, limits_of, units_of
 from ridelab.files import save
 
 OURS = Path(__file__).with_name("names.json")
@@ -23,6 +23,7 @@ class Names:
     """The names a service accepts."""
 
     fields: Mapping[str, str]  # unit by dotted name, in the scenario's order
+    limits: Mapping[str, Limits]  # by dotted name
     strategies: Mapping[str, str]  # label by id
     presets: Mapping[str, dict[str, Any]]  # complete scenario by id; the paper's first, for fields that are left out
     signals: Mapping[str, tuple[str, str]]  # label and unit by key
@@ -36,6 +37,7 @@ class Names:
         schema, catalogue = ridelab.get("/schema"), ridelab.get("/catalogue")
         names = cls(
             fields=units_of(schema),
+            limits=limits_of(schema),
             strategies={each["id"]: each["label"] for each in ridelab.get("/strategies")},
             presets={each["id"]: each["scenario"] for each in ridelab.get("/presets")},
             signals={each["key"]: (each["label"], each["unit"]) for each in catalogue["signals"]},
