@@ -46,8 +46,12 @@ def simulate(scenario: Scenario, strategy: str | type[Controller] | Controller) 
 
 
 def on_any_road(scenario: Scenario) -> Scenario:
-    """The scenario on a short road: no control law depends on it, a Kalman filter on its roughness alone."""
-    return scenario.model_copy(update={"road": _ANY_ROAD.model_copy(update={"roughness": scenario.road.roughness})})
+    """Return the scenario on a short road, of which a controller depends on nothing but what is copied here.
+
+    A Kalman filter depends on the roughness; every controller on how the axles meet the road.
+    """
+    read = {name: getattr(scenario.road, name) for name in ("roughness", "rear_axle")}
+    return scenario.model_copy(update={"road": _ANY_ROAD.model_copy(update=read)})
 
 
 def prepare(scenario: Scenario, strategy: str | type[Controller] | Controller) -> Run:
@@ -66,7 +70,7 @@ def prepare(scenario: Scenario, strategy: str | type[Controller] | Controller) -
     plan = resolve_speed_plan(type(controller), scenario.speed.policy)
     speed_profile = make_speed_profile(scenario, plan)
     steps, stages = step_sizes(scenario, controller, plan), spans(scenario, plan, speed_profile)
-    excitation = excite(scenario.road, scenario.vehicle.wheelbase, speed_profile, steps.control, steps.fine)
+    excitation = excite(scenario.road, scenario.rear_axle_offset, speed_profile, steps.control, steps.fine)
     return Run(
         scenario=scenario,
         controller=controller,

@@ -81,6 +81,8 @@ def limit_terms(scenario: Scenario, strategy: type[Controller], time: float) -> 
         preview, deflection_weight = mpc.preview, mpc.deflection_weight
     comfort = log((weights[0] + 0.1) / (sum(weights) + 0.3))
     restoring = log((deflection_weight + 0.1) / (weights[0] + 1e-3))
+    if preview == "wheelbase" and not scenario.rear_axle_offset:
+        preview = "none"  # the front axle's road comes too late
     no_preview, wheelbase_preview = float(preview == "none"), float(preview == "wheelbase")
     errors = (*_estimation_terms(scenario), log(scenario.real_vehicle.rebound_ratio))
     unstable = (1.0, softness, underdamping, restoring, softness * restoring)
@@ -129,7 +131,7 @@ def combine(sums: Mapping[str, FloatArray], bump: FloatArray) -> tuple[FloatArra
 def bump_share(scenario: Scenario, time: float) -> float:
     """Share of that time over the road [s] in which the bump is ahead, under an axle, or just behind."""
     mpc, road = scenario.mpc, scenario.road
-    crossing = (road.bump.length + scenario.vehicle.wheelbase) * time / road.length
+    crossing = (road.bump.length + scenario.rear_axle_offset) * time / road.length
     return min(1.0, (crossing + mpc.prediction_horizon * mpc.sample_time + _SETTLING) / time)
 
 

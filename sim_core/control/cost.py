@@ -21,16 +21,25 @@ from sim_core.vehicle.half_car import DISTURBANCES, FORCES, OUTPUTS, STATES, hal
 
 KILO = 1000.0  # controllers compute with forces in kN: in N the problem is badly scaled
 REFERENCE_ROUGHNESS = 64e-6  # class B, whatever the road: so weights mean the same everywhere [m^3]
+LEAST_RMS = 0.01  # of that in turn: axles together never pitch a car that is alike in front and behind
 _NODES, _NODE_WEIGHTS = gauss_legendre(16)
 
 
 @lru_cache(maxsize=256)
-def passive_rms(vehicle: Vehicle, speed: float) -> tuple[float, float, float, float]:
-    """σ of body and pitch acceleration [m/s^2, rad/s^2] and both tyre loads [N], passive on class B at a speed [m/s].
+def passive_rms(
+    vehicle: Vehicle, speed: float, rear_axle_offset: float | None = None
+) -> tuple[float, float, float, float]:
+    """Return σ of body and pitch acceleration [m/s^2, rad/s^2] and both tyre loads [N] of the passive car on class B.
 
-    Stationary and exact: the road filter joins the state, the rear input is the front's, L/v later, and the
+    Stationary and exact: the road filter joins the state, the rear input is the front's, τ later, and the
     covariance is P + M + M' with P from both inputs alone and M = e^{Aτ} X for what they share
     (A X + X A' + b_f b_r' = 0). tests/validation holds it against the frequency response and a long run.
+
+    Args:
+        vehicle: The car.
+        speed: At which it is driven [m/s].
+        rear_axle_offset: How far behind the front axle the rear one meets the road [m]: τ times the speed; None is the
+            wheelbase.
 
     Raises:
         UnstableVehicleError: The passive car is not stable.
@@ -43,11 +52,12 @@ def passive_rms(vehicle: Vehicle, speed: float) -> tuple[float, float, float, fl
     road = model.E[:, :2]
     A = np.block([[model.A, -corner * road], [np.zeros((2, STATES)), -corner * np.eye(2)]])
     b = gain * np.vstack([road, np.eye(2)])
+    behind = vehicle.wheelbase if rear_axle_offset is None else rear_axle_offset
     own = lyapunov(A, -b @ b.T)
-    shared = exponential(A * (vehicle.wheelbase / speed)) @ lyapunov(A, -np.outer(b[:, 0], b[:, 1]))
+    shared = exponential(A * (behind / speed)) @ lyapunov(A, -np.outer(b[:, 0], b[:, 1]))
     C = np.hstack([model.C[:4], np.zeros((4, 2))])
     variance = np.einsum("ij,jk,ik->i", C, own + shared + shared.T, C)
-    a, pitch, front, rear = np.sqrt(variance)
+    a, pitch, front, rear = np.sqrt(np.maximum(variance, 0.0))  # rounding may leave less than nothing
     return float(a), float(pitch), float(front), float(rear)
 
 
@@ -85,6 +95,8 @@ class CostTerms:
         deflection_weight: Of the suspension deflections: q4 [1].
         deflection_limit: By which those are divided: d_max [m].
         force_weight: R [1/N²].
+        rear_axle_offset: How far behind the front axle the rear one meets the road, for the σ [m]; None is the
+            wheelbase.
 
     Example:
         >>> from sim_core import CostTerms, Scenario, regulator
@@ -103,6 +115,7 @@ class CostTerms:
     deflection_weight: float
     deflection_limit: float
     force_weight: float
+    rear_axle_offset: float | None = None
 
 
 @lru_cache(maxsize=512)
@@ -125,7 +138,8 @@ def cost_by_output(terms: CostTerms, z: FloatArray) -> FloatArray:
 
 def _scales(terms: CostTerms) -> FloatArray:
     """What each cost output's mean square is multiplied by (6,)."""
-    sigma = np.array(passive_rms(terms.vehicle, terms.speed))
+    in_turn = np.array(passive_rms(terms.vehicle, terms.speed))
+    sigma = np.maximum(passive_rms(terms.vehicle, terms.speed, terms.rear_axle_offset), LEAST_RMS * in_turn)
     q1, q2, q3 = terms.weights
     scale = np.empty(len(OUTPUTS))
     scale[:4] = np.array([q1, q2, q3, q3]) / sigma**2

@@ -28,6 +28,8 @@ class Setup:
         deflection_limit: Magnitude that each suspension deflection should not exceed [m].
         preview_steps: Control steps for which the road ahead is reported.
         stages: Names of the driving stages.
+        rear_axle_offset: How far behind the front axle the rear one meets the road [m], 0 where both meet it together;
+            None is the wheelbase.
 
     Example:
         >>> from sim_core import Controller, Scenario, simulate
@@ -49,6 +51,7 @@ class Setup:
     deflection_limit: float
     preview_steps: int
     stages: tuple[str, ...]
+    rear_axle_offset: float | None = None
 
     @property
     def short_step(self) -> float:
@@ -73,6 +76,7 @@ class Setup:
             deflection_weight=deflection_weight,
             deflection_limit=self.deflection_limit,
             force_weight=force_weight,
+            rear_axle_offset=self.rear_axle_offset,
         )
 
 

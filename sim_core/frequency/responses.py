@@ -1,9 +1,10 @@
 """Responses from road to signals, modes, margins and spectra of strategies in one driving stage.
 
 docs/explanation/frequencies.md has the method. The road is height exp(jωt) under the front axle, and under the rear
-one the wheelbase later. In the steady state the samples of the loop have that frequency alone; a force that is held for
-a step h has there its fundamental, (1 - exp(-jωh)) / (jωh) of the samples' (Franklin, Powell and Workman, Digital
-Control of Dynamic Systems, 3rd ed., section 5.4), and so has every signal of the linear car.
+one the wheelbase later, or at the same instant (`road.rear_axle`). In the steady state the samples of the loop have
+that frequency alone; a force that is held for a step h has there its fundamental, (1 - exp(-jωh)) / (jωh) of the
+samples' (Franklin, Powell and Workman, Digital Control of Dynamic Systems, 3rd ed., section 5.4), and so has every
+signal of the linear car.
 """
 
 from collections.abc import Sequence
@@ -170,8 +171,8 @@ def _responses(loop: SampledLoop, omega: FloatArray) -> ComplexArray:
     """Of all outputs per metre of road height (frequencies, 6)."""
     car, outputs = continuous(loop.vehicle, loop.run.actuator), half_car(loop.vehicle)
     s, h, size = 1j * omega, loop.step, len(loop.within)
-    wheelbase = loop.run.scenario.vehicle.wheelbase
-    velocity = s[:, None] * np.stack([np.ones_like(s), np.exp(-s * wheelbase / loop.speed)], 1)
+    behind = loop.run.scenario.rear_axle_offset
+    velocity = s[:, None] * np.stack([np.ones_like(s), np.exp(-s * behind / loop.speed)], 1)
     resolvent = s[:, None, None] * np.eye(car.size) - car.A
     road = velocity @ car.E[:, :2].T
     causes = np.concatenate([road[..., None], np.broadcast_to(car.B, (len(s), *car.B.shape))], axis=2)

@@ -173,11 +173,11 @@ def previewed(loop: SampledLoop, mode: Preview, omega: FloatArray, steps: int) -
     """
     scenario, h, v = loop.run.scenario, loop.step, loop.speed
     s, interval_index = 1j * omega[:, None], np.arange(steps)
-    behind = np.exp(-s * scenario.vehicle.wheelbase / v)
+    behind = np.exp(-s * scenario.rear_axle_offset / v)
     interval = np.exp(s * h * interval_index) * (np.exp(s * h) - 1) / h
     seen = np.zeros((len(omega), 2, steps), dtype=np.complex128)
     if mode == "wheelbase":
-        seen[:, 1] = behind * interval * ((interval_index + 1) * h * v <= scenario.vehicle.wheelbase)
+        seen[:, 1] = behind * interval * ((interval_index + 1) * h * v <= scenario.rear_axle_offset)
     if mode == "lookahead":
         mismatch, n = scenario.mismatch, omega / (2 * np.pi * v)
         factor = mismatch.preview_gain * np.sinc(n * mismatch.preview_resolution)

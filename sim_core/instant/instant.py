@@ -186,7 +186,7 @@ def _preview(drive: Drive, seen: Seen) -> PreviewedRoad | None:
         return None
     time = seen.time + drive.inputs.sample_time * np.arange(1, horizon + 1)
     position = drive.run.speed_profile.at(time)[0]
-    axles = np.stack([position, position - drive.run.scenario.vehicle.wheelbase], axis=1)
+    axles = np.stack([position, position - drive.run.scenario.rear_axle_offset], axis=1)
     real = drive.run.excitation.surface.height(axles)
     return PreviewedRoad(mode=mode, time=time, position=position, seen=seen.preview, real=real)
 

@@ -122,17 +122,17 @@ def longest_fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool) ->
 
 
 @cached
-def excite(road: Road, wheelbase: float, speed_profile: SpeedProfile, step: float, fine: int) -> Excitation:
+def excite(road: Road, rear_axle_offset: float, speed_profile: SpeedProfile, step: float, fine: int) -> Excitation:
     """Sample a speed profile and look its road up.
 
     Args:
         road: What is driven over.
-        wheelbase: L [m].
+        rear_axle_offset: How far behind the front axle the rear one meets it [m].
         speed_profile: How fast.
         step: Control step [s].
         fine: Fine steps in it.
     """
-    grid = _sampled(speed_profile, road.length, wheelbase, step, fine)
+    grid = _sampled(speed_profile, road.length, rear_axle_offset, step, fine)
     surface = road_profile(road)
     height = surface.height(grid.axles)
     height.flags.writeable = False
@@ -156,7 +156,7 @@ def under_axles(excitation: Excitation) -> RoadUnderAxles:
 
 
 @cached
-def _sampled(speed_profile: SpeedProfile, length: float, wheelbase: float, step: float, fine: int) -> TimeGrid:
+def _sampled(speed_profile: SpeedProfile, length: float, rear_axle_offset: float, step: float, fine: int) -> TimeGrid:
     """The part of `excite` that needs no height; length of the road in m."""
     run_in_steps, steps = speed_profile.control_steps(length, step)
     h = step / fine
@@ -178,7 +178,7 @@ def _sampled(speed_profile: SpeedProfile, length: float, wheelbase: float, step:
         time=step * np.arange(-run_in_steps, steps - run_in_steps + 1, dtype=np.float64),
         fine=fine,
         run_in_steps=run_in_steps,
-        axles=np.stack([position, position - wheelbase]),
+        axles=np.stack([position, position - rear_axle_offset]),
         position=position[:-1:fine],
         speed=speed[:-1:fine],
         on_record=record,

@@ -1,6 +1,7 @@
 """What a controller knows of the road and the braking ahead (docs/explanation/preview.md).
 
-none: the road ahead is taken as level. wheelbase: the rear axle will meet what the front has already driven.
+none: the road ahead is taken as level. wheelbase: the rear axle will meet what the front has already driven; nothing
+where both meet the road together.
 lookahead: the sensors that find the bump give the road for the whole horizon, and the speed plan is known.
 obstacle: those sensors give the bump alone, without the roughness.
 """
@@ -51,14 +52,14 @@ def preview(
         excitation: The same, grid.
         horizon: Prediction horizon; of 0 steps nothing is expected.
     """
-    mismatch, wheelbase = scenario.mismatch, scenario.vehicle.wheelbase
+    mismatch, rear_axle_offset = scenario.mismatch, scenario.rear_axle_offset
     if mode in ("lookahead", "obstacle") and horizon:
         surface, expected = excitation.surface, expected_errors(scenario.mpc)
         if mode == "obstacle" or mismatch.preview_noise or mismatch.preview_resolution or expected != ExpectedErrors():
             surface = sensed_road(surface, scenario.road, mismatch, expected, obstacle_alone=mode == "obstacle")
-        return _by_sensors(surface, speed_profile, excitation.grid, horizon, wheelbase, mismatch)
+        return _by_sensors(surface, speed_profile, excitation.grid, horizon, rear_axle_offset, mismatch)
     if mode == "wheelbase":
-        disturbances, sizes = _behind_the_front(excitation, speed_profile, horizon, wheelbase)
+        disturbances, sizes = _behind_the_front(excitation, speed_profile, horizon, rear_axle_offset)
     else:
         disturbances, sizes = _level(excitation.grid, speed_profile, horizon)
     height_now = excitation.height[:, : -1 : excitation.grid.fine]
@@ -90,12 +91,12 @@ def _by_sensors(
     speed_profile: SpeedProfile,
     grid: TimeGrid,
     horizon: int,
-    wheelbase: float,
+    rear_axle_offset: float,
     mismatch: Mismatch,
 ) -> Forecast:
     """What sensors and speed plan predict for every interval to come."""
     axles, braking = _sensed_places(
-        speed_profile, grid, horizon, wheelbase, mismatch.preview_offset, mismatch.preview_delay
+        speed_profile, grid, horizon, rear_axle_offset, mismatch.preview_offset, mismatch.preview_delay
     )
     height = mismatch.preview_gain * surface.height(axles)
     disturbances = np.empty((DISTURBANCES, len(braking)))
@@ -107,13 +108,13 @@ def _by_sensors(
 
 @cached
 def _sensed_places(
-    speed_profile: SpeedProfile, grid: TimeGrid, horizon: int, wheelbase: float, offset: float, delay: float
+    speed_profile: SpeedProfile, grid: TimeGrid, horizon: int, rear_axle_offset: float, offset: float, delay: float
 ) -> tuple[FloatArray, FloatArray]:
     """Where sensors take the axles to be at every control instant to come (2, n + 1) [m]; the braking in between."""
     time, h = grid.time, grid.step
     further = np.concatenate([time, time[-1] + h * np.arange(1, horizon)])
     position = speed_profile.at(further - delay)[0] - offset
-    axles = np.stack([position, position - wheelbase])
+    axles = np.stack([position, position - rear_axle_offset])
     return axles, speed_profile.sample(speed_profile.braking, further[:-1] + h / 2)
 
 
@@ -129,15 +130,15 @@ def _level(grid: TimeGrid, speed_profile: SpeedProfile, horizon: int) -> tuple[F
 
 @cached
 def _behind_the_front(
-    excitation: Excitation, speed_profile: SpeedProfile, horizon: int, wheelbase: float
+    excitation: Excitation, speed_profile: SpeedProfile, horizon: int, rear_axle_offset: float
 ) -> tuple[FloatArray, FloatArray]:
     """`Forecast.disturbances` and `sizes` where the rear axle meets the road that the front one has passed."""
     grid, surface = excitation.grid, excitation.surface
     level, level_sizes = _level(grid, speed_profile, horizon)
     disturbances, sizes = level.copy(), level_sizes.copy()
     further = grid.speed[:, None] * grid.step * np.arange(horizon + 1)
-    driven = further[:, 1:] <= wheelbase
-    heights = surface.height(grid.position[:, None] - wheelbase + np.minimum(further, wheelbase))
+    driven = further[:, 1:] <= rear_axle_offset
+    heights = surface.height(grid.position[:, None] - rear_axle_offset + np.minimum(further, rear_axle_offset))
     disturbances[1] = np.where(driven, np.diff(heights, axis=1) / grid.step, 0.0)
     sizes[2] = np.linalg.norm(disturbances[1], axis=1)
     return disturbances, sizes

@@ -113,6 +113,7 @@ class Run:
             deflection_limit=scenario.mpc.deflection_limit,
             preview_steps=int(steps_ahead),
             stages=tuple(STAGES),
+            rear_axle_offset=scenario.rear_axle_offset,
         )
 
     def drive(self, recorder: Recorder | None = None) -> Recording:

@@ -1,6 +1,7 @@
 """The road, made once in space: ISO 8608 roughness plus bumps (paper section 2.1, errata in docs/reference/errata.md).
 
-Every strategy drives the same road whatever its speed, and the rear axle the front's road a wheelbase later.
+Every strategy drives the same road whatever its speed, and the rear axle the front's road: a wheelbase later, or at
+the same instant (`road.rear_axle`).
 """
 
 from dataclasses import dataclass, field

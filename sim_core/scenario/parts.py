@@ -291,9 +291,14 @@ class Scenario(Part):
         return max(0.0, self.road.bump.start - self.speed.detection_distance)
 
     @property
+    def rear_axle_offset(self) -> float:
+        """How far behind the front axle the rear one meets the road [m]: the wheelbase; 0 where both do so together."""
+        return 0.0 if self.road.rear_axle == "together" else self.vehicle.wheelbase
+
+    @property
     def bump_left(self) -> float:
-        """Where the front axle is when the rear one has left the bump [m]."""
-        return self.road.bump.end + self.vehicle.wheelbase
+        """Where the front axle is when both axles have left the bump [m]."""
+        return self.road.bump.end + self.rear_axle_offset
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:

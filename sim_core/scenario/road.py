@@ -10,6 +10,7 @@ from sim_core.scenario.measured import ID_PATTERN, MeasuredRoad
 
 MAX_SEED = 2**32 - 1
 Seed = Annotated[int, quantity("1", soft=(1, 20), ge=0, le=MAX_SEED)]
+RearAxle = Literal["in_turn", "together"]
 BumpShape = Literal["cosine", "half_sine", "circular", "flat_top", "trapezoid", "kerb"]
 
 
@@ -92,6 +93,12 @@ class Road(Part):
         title="Measured profile",
         description="Id of a measured road, in place of one made from roughness and seed. Its file "
         "is CSV with distance [m] and height [mm] in its header, or left [mm] and right [mm].",
+    )
+    rear_axle: Annotated[RearAxle, ADDED] = field(
+        "in_turn",
+        "Rear axle",
+        "in_turn: it meets the road after the front one, later by the wheelbase. together: both meet it at the same "
+        "instant, as no car does; the paper's equations name no delay.",
     )
     bump: Bump = Bump()
     _measured: MeasuredRoad | None = PrivateAttr(None)

@@ -1,7 +1,7 @@
 """Driving stages (section 3.3).
 
-They follow the bump's geometry, also at height 0: cruise, brake from the detection to the bump, bump until the rear
-axle has left it, cruise again. A car at constant speed has no brake stage.
+They follow the bump's geometry, also at height 0: cruise, brake from the detection to the bump, bump until both
+axles have left it, cruise again. A car at constant speed has no brake stage.
 """
 
 from typing import NamedTuple

@@ -18,6 +18,7 @@ from sim_core.matrices import exponential, riccati, solve
 from sim_core.road.profile import REFERENCE_FREQUENCY
 from sim_core.road.sensed import ExpectedErrors, expected_errors, trust
 from sim_core.scenario import Estimation, Preview, Scenario, Vehicle
+from sim_core.scenario.road import RearAxle
 from sim_core.vehicle.half_car import MEASURED_OUTPUTS, STATES, discrete, half_car, measurement
 from sim_core.vehicle.model import Estimator
 
@@ -50,6 +51,7 @@ def kalman_filter(
     intensity: float,
     unseen: tuple[float, float] = NOTHING_SEEN,
     per_control: int = 1,
+    rear_axle: RearAxle = "in_turn",
 ) -> KalmanFilter:
     """The filter that is optimal on an endless road.
 
@@ -60,12 +62,15 @@ def kalman_filter(
         intensity: Of each axle's road velocity, two-sided [m²/s].
         unseen: Share of that intensity that preview does not measure, front and rear.
         per_control: Measurements in a control step, whose mean velocity preview gives.
+        rear_axle: Whether both axles meet the road together: its velocities are then the same noise, else two.
 
     Raises:
         RidelabError: There is no such filter.
     """
     A, C = discrete(vehicle, step).A, measurement(vehicle).C
-    Q = _added(vehicle, step, intensity * np.array(unseen), intensity * (1 - np.array(unseen)), per_control)
+    share = np.array(unseen)
+    left, seen = _under_both(intensity * share, rear_axle), _under_both(intensity * (1 - share), rear_axle)
+    Q = _added(vehicle, step, left, seen, per_control)
     R = np.diag(_deviations(noise, per_control) ** 2)
     P = riccati(A.T, C.T, Q, R, np.zeros((STATES, len(C))))
     gain = solve(C @ P @ C.T + R, C @ P).T
@@ -103,7 +108,8 @@ def make_estimator(
     roughness = max(scenario.road.roughness, _LEAST_ROUGHNESS)
     intensity = (2 * pi * REFERENCE_FREQUENCY) ** 2 * roughness * speed / 2
     unseen = _unseen(scenario, mode, speed)
-    filtered = kalman_filter(scenario.vehicle, scenario.estimation, step, intensity, unseen, per_control)
+    rear_axle = scenario.road.rear_axle
+    filtered = kalman_filter(scenario.vehicle, scenario.estimation, step, intensity, unseen, per_control, rear_axle)
     model, sensors, L = discrete(scenario.vehicle, step), measurement(scenario.vehicle), filtered.gain
     rest = np.eye(STATES) - L @ sensors.C
     predicted = np.outer(braking.mean(axis=1), model.E[:, 2])
@@ -140,16 +146,19 @@ def _deviations(noise: Estimation, per_control: int) -> FloatArray:
 
 def _unseen(scenario: Scenario, mode: Preview, speed: float) -> tuple[float, float]:
     """Which share of the roughness' intensity preview leaves unknown under the front and the rear axle."""
-    if mode == "wheelbase":
+    if mode == "wheelbase" and scenario.rear_axle_offset:
         return 1.0, 0.0  # the rear axle meets what the front one has passed
     if mode == "lookahead":
-        share = unseen_share(scenario.vehicle, scenario.road.roughness, speed, expected_errors(scenario.mpc))
+        road, expected = scenario.road, expected_errors(scenario.mpc)
+        share = unseen_share(scenario.vehicle, road.roughness, speed, expected, road.rear_axle)
         return share, share
     return NOTHING_SEEN
 
 
 @lru_cache(maxsize=128)
-def unseen_share(vehicle: Vehicle, roughness: float, speed: float, expected: ExpectedErrors) -> float:
+def unseen_share(
+    vehicle: Vehicle, roughness: float, speed: float, expected: ExpectedErrors, rear_axle: RearAxle = "in_turn"
+) -> float:
     """Share of the road's intensity with which white noise moves the body as the road does that preview leaves unknown.
 
     Of the road's density S the Wiener estimate (`trust`, W) leaves S (1 - exp(-(2π n s)²/2) W), s being the expected
@@ -161,6 +170,7 @@ def unseen_share(vehicle: Vehicle, roughness: float, speed: float, expected: Exp
         roughness: Gd(n0) [m³], the road's class.
         speed: At which it is driven [m/s].
         expected: Errors of the sensors that look ahead; of none nothing is left.
+        rear_axle: As of `kalman_filter`.
     """
     if expected == ExpectedErrors():
         return 0.0
@@ -168,8 +178,16 @@ def unseen_share(vehicle: Vehicle, roughness: float, speed: float, expected: Exp
     left = 1 - np.exp(-((2 * pi * n * expected.offset) ** 2) / 2) * trust(n, roughness, expected)
     plant = 2j * pi * _FREQUENCIES[:, None, None] * np.eye(STATES) - model.A
     motion = np.linalg.solve(plant, np.broadcast_to(model.E[:, :2], (len(n), STATES, 2)))[:, _BODY_VELOCITY]
-    power = (np.abs(motion) ** 2).sum(axis=1) * _FREQUENCIES  # an interval of the grid grows with its frequency
+    causes = motion if rear_axle == "in_turn" else motion.sum(axis=1, keepdims=True)
+    power = (np.abs(causes) ** 2).sum(axis=1) * _FREQUENCIES  # an interval of the grid grows with its frequency
     return float(power @ left / power.sum())
+
+
+def _under_both(intensities: FloatArray, rear_axle: RearAxle) -> FloatArray:
+    """Return the intensity matrix (2, 2) [m²/s] of road velocities with these intensities (2,) under both axles."""
+    if rear_axle == "in_turn":  # what the front axle meets the rear one meets much later: taken as independent
+        return np.diag(intensities)
+    return np.asarray(np.sqrt(np.outer(intensities, intensities)))
 
 
 def _added(vehicle: Vehicle, step: float, unseen: FloatArray, seen: FloatArray, per_control: int) -> FloatArray:
@@ -181,18 +199,18 @@ def _added(vehicle: Vehicle, step: float, unseen: FloatArray, seen: FloatArray, 
     Args:
         vehicle: The believed one.
         step: Between measurements [s].
-        unseen: Intensities of the velocity under the front and the rear axle that is not known (2,) [m²/s].
-        seen: Of the velocity whose mean over a control step is known (2,) [m²/s].
+        unseen: Intensity of the velocities under the front and the rear axle that are not known (2, 2) [m²/s].
+        seen: Of the velocities whose mean over a control step is known (2, 2) [m²/s].
         per_control: Measurements in a control step.
     """
     control_step = step * per_control
     held = discrete(vehicle, control_step).E[:, :2]
-    around = _accumulated(vehicle, control_step, seen) - (held * (seen / control_step)) @ held.T
+    around = _accumulated(vehicle, control_step, seen) - held @ (seen / control_step) @ held.T
     return _accumulated(vehicle, step, unseen) + around / per_control
 
 
 def _accumulated(vehicle: Vehicle, step: float, intensity: FloatArray) -> FloatArray:
-    """Covariance (8, 8) that white road velocities of these intensities (2,) add to the state in a step [s].
+    """Covariance (8, 8) that white road velocities of this intensity (2, 2) add to the state in a step [s].
 
     Van Loan (1978), over a part in which nothing grows much, then over twice as long again and again: what decays fast
     is e^(time / its time constant) in that method.
@@ -202,7 +220,7 @@ def _accumulated(vehicle: Vehicle, step: float, intensity: FloatArray) -> FloatA
     doublings = max(0, ceil(log2(float(np.abs(model.A).sum(axis=0).max()) * step)))
     block = np.zeros((2 * STATES, 2 * STATES))
     block[:STATES, :STATES], block[STATES:, STATES:] = -model.A, model.A.T
-    block[:STATES, STATES:] = (road * intensity) @ road.T
+    block[:STATES, STATES:] = road @ intensity @ road.T
     part = exponential(block * (step / 2**doublings))
     decay = part[STATES:, STATES:].T
     added = decay @ part[:STATES, STATES:]

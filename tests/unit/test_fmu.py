@@ -32,6 +32,7 @@ SMALL: dict[str, Any] = {
     "mpc": {"force_limit": 1000, "prediction_horizon": 6, "control_horizon": 3, "preview": "lookahead"},
     "lqr": {"preview": "lookahead", "preview_horizon": 12},
 }
+TOGETHER = SMALL | {"road": SMALL["road"] | {"rear_axle": "together"}}
 ROUNDING = 1e-9  # of the greatest value: sums of the same numbers in another order
 REAL_CAR: dict[str, Any] = {
     "vehicle": {
@@ -87,11 +88,12 @@ def inputs(seen: Seen, sample_time: float) -> dict[str, float]:
     return values
 
 
-@pytest.mark.parametrize("version", ["2.0", "3.0"])
+@pytest.mark.parametrize(("version", "parts"), [("2.0", SMALL), ("3.0", SMALL), ("3.0", TOGETHER)])
 def test_a_linear_law_gives_the_forces_of_our_run_in_whatever_steps_it_is_driven(
-    version: Version, tmp_path: Path
+    version: Version, parts: dict[str, Any], tmp_path: Path
 ) -> None:
-    scenario, seen = Scenario.model_validate(SMALL), list[tuple[Seen, FloatArray]]()
+    """Where both axles meet the road together, too: its passive car, by which the cost is divided, is another one."""
+    scenario, seen = Scenario.model_validate(parts), list[tuple[Seen, FloatArray]]()
     simulate(scenario, Watched(STRATEGIES["lqr"](), seen))
     importer = Importer(exported(tmp_path, scenario, version), tmp_path / "fmu")
     differences = []
@@ -123,9 +125,10 @@ def test_what_was_compiled_once_is_not_compiled_again(monkeypatch: pytest.Monkey
     assert len(commands) == 2
 
 
-def test_lv_is_the_ecus_program_to_the_code(tmp_path: Path) -> None:
+@pytest.mark.parametrize("parts", [SMALL, TOGETHER], ids=["in turn", "together"])
+def test_lv_is_the_ecus_program_to_the_code(parts: dict[str, Any], tmp_path: Path) -> None:
     """In float32; that a rounded input stands in the middle between two codes does not happen here."""
-    scenario, seen = Scenario.model_validate(SMALL), list[tuple[Seen, FloatArray]]()
+    scenario, seen = Scenario.model_validate(parts), list[tuple[Seen, FloatArray]]()
 
     class Noting(LvHil):
         def force(self, each: Seen) -> FloatArray | None:

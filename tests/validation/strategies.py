@@ -66,6 +66,7 @@ scenarios = st.builds(
         roughness=st.sampled_from([0.0, 16e-6, 64e-6, 256e-6, 1024e-6]),
         seed=st.integers(0, 1000),
         length=st.just(115.0),
+        rear_axle=st.sampled_from(["in_turn", "together"]),
         bump=bumps,
     ),
     speed=st.builds(

@@ -7,9 +7,10 @@ import pytest
 
 from sim_core import Actuator, Bump, Lqr, Mpc, Preview, Road, Scenario, Speed, simulate
 from sim_core.scenario.presets import preset
+from sim_core.scenario.road import RearAxle
 from tests.results import event
 from tests.validation.reference.loop import drive
-from tests.validation.reference.vehicle import OUTPUTS
+from tests.validation.reference.vehicle import OUTPUTS, behind
 from tests.validation.strategies import some
 
 Weighting = Callable[[float], tuple[float, float, float]]
@@ -19,7 +20,7 @@ def by_stage(scenario: Scenario) -> Weighting:
     """Table 6 over the front axle's position."""
     bump, table = scenario.road.bump, scenario.mpc.stage_weights
     detection = bump.start - scenario.speed.detection_distance
-    end = bump.start + bump.width + scenario.vehicle.wheelbase
+    end = bump.start + bump.width + behind(scenario)
     return lambda x: (
         table.bump if bump.start <= x < end else table.brake if detection <= x < bump.start else table.cruise
     )
@@ -28,7 +29,7 @@ def by_stage(scenario: Scenario) -> Weighting:
 def by_road(scenario: Scenario) -> Weighting:
     """Table 3 over the front axle's position."""
     bump, table = scenario.road.bump, scenario.mpc.road_weights
-    end = bump.start + bump.width + scenario.vehicle.wheelbase
+    end = bump.start + bump.width + behind(scenario)
     return lambda x: table.bump if bump.start <= x < end else table.rough
 
 
@@ -74,8 +75,10 @@ def test_without_a_limit_the_runs_are_the_same(strategy: str, preview: Preview) 
     assert gap < 1e-6
 
 
-def test_lqr_is_the_same() -> None:
-    assert difference(Scenario(road=ROAD, lqr=Lqr(weights=(1, 2, 3))), "lqr")[0] < 1e-6
+@pytest.mark.parametrize("rear_axle", ["in_turn", "together"])
+def test_lqr_is_the_same(rear_axle: RearAxle) -> None:
+    road = ROAD.model_copy(update={"rear_axle": rear_axle})
+    assert difference(Scenario(road=road, lqr=Lqr(weights=(1, 2, 3))), "lqr")[0] < 1e-6
 
 
 @pytest.mark.parametrize(("strategy", "preview"), some(1, PREVIEWS))
@@ -87,7 +90,9 @@ def test_the_papers_scenario_with_its_limits(strategy: str, preview: Preview) ->
 
 
 TIGHT = Mpc(force_limit=1200, deflection_limit=0.05)
+TOGETHER = ROAD.model_copy(update={"rear_axle": "together"})
 CASES = {
+    "axles together": (Scenario(road=TOGETHER), "lv"),
     "tight limits": (Scenario(road=ROAD, mpc=TIGHT), "suspension_only"),
     "tight limits, LV": (Scenario(road=ROAD, mpc=TIGHT), "lv"),
     "tight limits, osqp": (Scenario(road=ROAD, mpc=TIGHT.model_copy(update={"solver": "osqp"})), "suspension_only"),
@@ -109,7 +114,7 @@ CASES = {
 }
 
 
-@pytest.mark.parametrize("name", some(4, list(CASES)))
+@pytest.mark.parametrize("name", some(5, list(CASES)))
 def test_limits_horizons_and_actuators(name: str) -> None:
     scenario, strategy = CASES[name]
     gap, limited = difference(scenario, strategy)

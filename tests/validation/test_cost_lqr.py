@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 from hypothesis import example, given, settings
+from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from sim_core.control.cost import KILO, CostTerms, passive_rms, stage_cost
@@ -53,10 +54,11 @@ def test_sigma_of_the_papers_car() -> None:
 
 
 @settings(max_examples=25)
-@given(vehicles, between(3, 40))
-def test_sigma_equals_the_integral_over_frequency(car: Vehicle, speed: float) -> None:
-    """|H|² with the rear input delayed by L/v, by quadrature good to 1e-6."""
-    np.testing.assert_allclose(passive_rms(car, speed), stationary_rms(car, speed)[:4], rtol=3e-6)
+@given(vehicles, between(3, 40), st.sampled_from([None, 0.0]))
+def test_sigma_equals_the_integral_over_frequency(car: Vehicle, speed: float, offset: float | None) -> None:
+    """|H|² with the rear input delayed by L/v or not at all, by quadrature good to 1e-6."""
+    ours, integral = passive_rms(car, speed, offset), stationary_rms(car, speed, offset)
+    np.testing.assert_allclose(ours, integral[:4], rtol=3e-6)
 
 
 def stage_costs(car: Vehicle, sample_time: float) -> tuple[np.ndarray, np.ndarray]:

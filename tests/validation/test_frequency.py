@@ -37,6 +37,9 @@ CASES: list[tuple[str, dict[str, Any]]] = [
     ("lv", {"estimation": FILTER, "mismatch": MISTAKEN}),
     ("lqr", {"estimation": FILTER, "actuator": {"bandwidth": 20}, "lqr": {"preview": "lookahead"}}),
     ("skyhook", {"actuator": {"bandwidth": 15}}),
+    ("passive", {"road": {"rear_axle": "together"}}),
+    ("lv", {"road": {"rear_axle": "together"}, "estimation": FILTER}),
+    ("lqr", {"road": {"rear_axle": "together"}, "lqr": {"preview": "wheelbase"}}),
     ("lv_hil", {"hil": {"bits": 24}}),
     ("lv_hil", {"hil": {"bits": 24, "compensation": "none"}, "mpc": {"preview": "none"}}),
     ("lv_hil", {"hil": {"bits": 24}, "estimation": FILTER}),
@@ -59,9 +62,8 @@ def test_a_sine_road_gives_the_response(strategy: str, parts: dict[str, Any], fr
     heights = 0.002 * np.sin(2 * pi * frequency * np.arange(0, length + 0.005, 0.01) / SPEED)
     road = MeasuredRoad.of(heights)
     bump = {"height": 0, "start": 116, "width": 1}
-    scenario = at_one_speed(road={"profile": road.id, "length": length, "bump": bump, "roughness": 0.001}, **parts).on(
-        road
-    )
+    measured = {"profile": road.id, "length": length, "bump": bump, "roughness": 0.001}
+    scenario = at_one_speed(**{**parts, "road": measured | parts.get("road", {})}).on(road)
     result = frequency_response(scenario, strategy, [frequency])
     passive = frequency_response(scenario, "passive", [frequency])
     level = MeasuredRoad.of(0 * heights)

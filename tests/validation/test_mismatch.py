@@ -53,7 +53,7 @@ def expected(mismatch: Mismatch, driven: Road = SHORT.road, mode: Preview = "loo
 def previewed(scenario: Scenario, mode: Preview, step: float, horizon: int) -> np.ndarray:
     """The disturbances expected in each control step [s], those of one kind after another (steps, 3 · horizon)."""
     speed_profile = make_speed_profile(scenario, "constant")
-    excitation = excite(scenario.road, scenario.vehicle.wheelbase, speed_profile, step, 10)
+    excitation = excite(scenario.road, scenario.rear_axle_offset, speed_profile, step, 10)
     expected = preview(mode, scenario, speed_profile, excitation, horizon).disturbances
     return expected.transpose(1, 0, 2).reshape(expected.shape[1], -1)
 
@@ -66,6 +66,16 @@ def test_the_rear_axles_road_is_known_as_far_as_the_front_one_has_driven() -> No
     assert not front.any()
     assert rear[:, :12].all(axis=0).all()
     assert not rear[:, 12:].any()
+
+
+@pytest.mark.parametrize("mode", ["lookahead", "obstacle", "wheelbase"])
+def test_where_both_axles_meet_the_road_together_they_see_the_same_and_behind_the_front_there_is_nothing(
+    mode: Preview,
+) -> None:
+    scenario = SHORT.model_copy(update={"road": SHORT.road.model_copy(update={"rear_axle": "together"})})
+    front, rear, _ = np.split(previewed(scenario, mode, 0.01, 10), 3, axis=1)
+    np.testing.assert_array_equal(front, rear)
+    assert front.any() == (mode != "wheelbase")
 
 
 def test_preview_offset_and_delay_show_the_road_elsewhere() -> None:

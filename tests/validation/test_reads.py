@@ -32,6 +32,7 @@ OTHER = {
     "daqp": "osqp",
     "guarded": "fuzzy",
     "predict": "none",
+    "in_turn": "together",
     "exact": "kalman",
 }
 

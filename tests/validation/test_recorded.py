@@ -124,3 +124,15 @@ def test_a_drive_somewhere_else_is_not_placed() -> None:
     elsewhere = RecordedDrive.of({"time": x / 10, "position": x + 1000, "body_acceleration": signal[0]})
     with pytest.raises(RidelabError, match="no part of this road"):
         recorded_result(SCENARIO, elsewhere)
+
+
+def test_where_both_axles_meet_the_bump_together_its_window_ends_with_it() -> None:
+    road = SCENARIO.road.model_copy(update={"rear_axle": "together"})
+    scenario = SCENARIO.model_copy(update={"road": road})
+    driven = simulate(scenario, "passive")
+    found = recorded_result(scenario, RecordedDrive.of({key: driven.series[key] for key in driven.series}))
+    assert [span.end_position for span in found.stages] == pytest.approx([100.0, 104.0, driven.series["position"][-1]])
+    for key in PLACED:
+        ours, theirs = found.metrics["bump"][key], driven.metrics["bump"][key]
+        assert ours["rms"] == pytest.approx(theirs["rms"], rel=1e-4)
+        assert ours["peak"] == pytest.approx(theirs["peak"], rel=1e-4)

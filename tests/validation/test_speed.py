@@ -71,7 +71,7 @@ def test_a_stage_begins_with_the_same_step_on_either_side_of_rounding() -> None:
     def bump_begins(start: float) -> int:
         scenario = Scenario(road=Road(bump=Bump(start=start)))
         speed_profile = make_speed_profile(scenario, "constant")
-        excitation = excite(scenario.road, scenario.vehicle.wheelbase, speed_profile, 0.01, 10)
+        excitation = excite(scenario.road, scenario.rear_axle_offset, speed_profile, 0.01, 10)
         stages = segments(spans(scenario, "constant", speed_profile), excitation.grid.position)
         return {stage: first for stage, first, _ in reversed(stages)}["bump"] - excitation.grid.run_in_steps
 

@@ -21,7 +21,7 @@ from sim_core.simulate import prepare, simulate
 from sim_core.speed.profile import SpeedProfile
 from tests.results import metrics
 from tests.validation.reference.sampled import interval, to_deflections
-from tests.validation.reference.vehicle import OUTPUTS, state_space
+from tests.validation.reference.vehicle import OUTPUTS, behind, state_space
 from tests.validation.reference.weighting import weighted
 
 Array = NDArray[np.float64]
@@ -38,11 +38,9 @@ class Held:
 
     def metrics(self, scenario: Scenario, speed_profile: SpeedProfile) -> dict[str, float]:
         """`window.signal.statistic` and `comfort.…` as the core names them."""
-        bump, car = scenario.road.bump, scenario.vehicle
+        bump = scenario.road.bump
         arrival = speed_profile.time_at(bump.start)
-        leaving = speed_profile.time_at(
-            bump.start + (bump.count - 1) * bump.spacing + bump.width + car.cg_to_front + car.cg_to_rear
-        )
+        leaving = speed_profile.time_at(bump.start + (bump.count - 1) * bump.spacing + bump.width + behind(scenario))
         end = speed_profile.time_at(scenario.road.length)
         metrics: dict[str, float] = {}
         for window, first, last in (
@@ -160,9 +158,8 @@ def _drive(
     offset = run_in(scenario, speed_profile, Ts)
     time = Ts * (np.arange(steps)[:, None] - offset) + h * np.arange(n + 1)
     surface = road_profile(scenario.road)
-    wheelbase = scenario.vehicle.cg_to_front + scenario.vehicle.cg_to_rear
     position = speed_profile.at(time)[0]
-    z = np.stack([surface.height(position), surface.height(position - wheelbase)], axis=-1)
+    z = np.stack([surface.height(position), surface.height(position - behind(scenario))], axis=-1)
     a = speed_profile.sample(speed_profile.braking, time[:, :-1] + h / 2)
     forced = np.concatenate([z[:, :-1], z[:, 1:], a[..., None]], axis=-1)  # (steps, n, 5)
 

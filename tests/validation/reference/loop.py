@@ -17,7 +17,7 @@ from sim_core import Scenario, StrategyResult
 from sim_core.road.profile import road_profile
 from tests.validation.reference import qp
 from tests.validation.reference.sampled import gauss, interval, mean_cost, regulator, weights
-from tests.validation.reference.vehicle import StateSpace, state_space
+from tests.validation.reference.vehicle import StateSpace, behind, state_space
 
 Array = NDArray[np.floating[Any]]
 RUN_IN = 20.0  # the car starts in equilibrium this far behind the start [m]
@@ -78,7 +78,7 @@ class ReferenceMpc:
         car, mpc = scenario.vehicle, scenario.mpc
         model, self.predictor, self.mpc = state_space(car), predictor, mpc
         speed = scenario.speed.initial_speed_kmh / 3.6
-        weight = weights(car, q, mpc.deflection_weight, mpc.deflection_limit, speed)
+        weight = weights(car, q, mpc.deflection_weight, mpc.deflection_limit, speed, behind(scenario))
         cost = mean_cost(model, weight, mpc.sample_time, mpc.force_weight, *gauss())
         P = regulator(model, cost, mpc.sample_time).P
         lever = np.array([[1, -car.cg_to_front], [1, car.cg_to_rear]])
@@ -149,7 +149,7 @@ def drive(
     """
     car, mpc, actuator = scenario.vehicle, scenario.mpc, scenario.actuator
     model, plan, surface = state_space(car), plan_of(result), road_profile(scenario.road)
-    wheelbase, Ts = car.cg_to_front + car.cg_to_rear, mpc.sample_time
+    distance, Ts = behind(scenario), mpc.sample_time
     h = result.series["time"][1] - result.series["time"][0]
     fine = round(Ts / h)
     corner = 2 * np.pi * (actuator.bandwidth or 0.0)
@@ -158,7 +158,7 @@ def drive(
 
     def heights(time: Array) -> Array:
         x = np.asarray(plan.position(time), dtype=np.float64)
-        return np.stack([surface.height(x), surface.height(x - wheelbase)], axis=-1)
+        return np.stack([surface.height(x), surface.height(x - distance)], axis=-1)
 
     def seen(t: float) -> tuple[Array, Array]:
         horizon: Array = t + Ts * np.arange(mpc.prediction_horizon + 1)
@@ -166,9 +166,9 @@ def drive(
             return heights(horizon), plan.braking(horizon[:-1] + Ts / 2)
         level = np.tile(heights(np.array([t])), (len(horizon), 1))
         if mpc.preview == "wheelbase":
-            x = plan.position(np.array([t]))[0] - wheelbase
+            x = plan.position(np.array([t]))[0] - distance
             distances = plan.speed(np.array([t]))[0] * (horizon - t)
-            covered = distances[distances <= wheelbase]
+            covered = distances[distances <= distance]
             rear = surface.height(x + covered)
             level[:, 1] = rear[-1]
             level[: len(rear), 1] = rear
@@ -181,6 +181,7 @@ def drive(
             scenario.lqr.deflection_weight,
             mpc.deflection_limit,
             scenario.speed.initial_speed_kmh / 3.6,
+            distance,
         )
         K = regulator(model, mean_cost(model, weight, Ts, mpc.force_weight, *gauss()), Ts).K
         lever = np.array([[1, -car.cg_to_front], [1, car.cg_to_rear]])

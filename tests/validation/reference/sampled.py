@@ -47,9 +47,16 @@ def interval(model: StateSpace, length: float, at: float, corner: float = 0.0) -
     return SampledInterval(state=evolved[:8], force=evolved[8:10], output=read @ evolved)
 
 
-def weights(car: Vehicle, q: tuple[float, float, float], travel: float, limit: float, speed: float) -> Array:
+def weights(
+    car: Vehicle,
+    q: tuple[float, float, float],
+    travel: float,
+    limit: float,
+    speed: float,
+    distance: float | None = None,
+) -> Array:
     """Diagonal weight of OUTPUTS: each squared term over its passive class B RMS squared, travel over its limit."""
-    sigma = stationary_rms(car, speed)
+    sigma = stationary_rms(car, speed, distance)
     q1, q2, q3 = q
     return np.array(
         [

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sim_core.scenario import Vehicle
+from sim_core.scenario import Scenario, Vehicle
 
 Array = NDArray[np.float64]
 
@@ -76,6 +76,12 @@ def state_space(car: Vehicle) -> StateSpace:
     return StateSpace(A=A, B=B, E=E, D=D, C=C_out, F=F_out, G=G_out, H=H_out)
 
 
+def behind(scenario: Scenario) -> float:
+    """Return after which distance the rear wheel meets what the front one has met [m]."""
+    car = scenario.vehicle
+    return {"in_turn": car.cg_to_front + car.cg_to_rear, "together": 0.0}[scenario.road.rear_axle]
+
+
 def road_response(model: StateSpace, frequency: Array, delay: float) -> Array:
     """Complex response (n, 6) of OUTPUTS to a unit front road at `frequency` [Hz], met by the rear `delay` [s] late."""
     both = axle_responses(model, frequency)
@@ -89,12 +95,15 @@ def axle_responses(model: StateSpace, frequency: Array) -> Array:
     return model.C @ np.linalg.solve(1j * omega[:, None, None] * np.eye(8) - model.A, model.E) + model.G
 
 
-def stationary_rms(car: Vehicle, speed: float, roughness: float = 64e-6) -> Array:
-    """RMS of OUTPUTS on a stationary ISO 8608 road, integrating |H|² G over frequency.
+def stationary_rms(car: Vehicle, speed: float, distance: float | None = None) -> Array:
+    """RMS of OUTPUTS on a stationary ISO 8608 road of class B, integrating |H|² G over frequency.
+
+    The rear wheel meets what the front one has met after a `distance` [m], by default the car's own between its axles.
 
     One-sided displacement PSD in space n0² Gd / (n² + n00²), per hertz divided by the speed. Gauss-Legendre in
     panels of 0.01 and 0.15 Hz over the body's and wheels' resonances, then of half a period of the two axles'
     interference; last, in even steps of log f, at least 40 periods each, that averages out: the axles' powers add.
+    Without a distance there is no interference, and the responses add instead.
     """
     points, share = np.polynomial.legendre.leggauss(4)
 
@@ -102,16 +111,18 @@ def stationary_rms(car: Vehicle, speed: float, roughness: float = 64e-6) -> Arra
         width = np.diff(edges)[:, None]
         frequency = (edges[:-1, None] + width * (points + 1) / 2).ravel()
         n = frequency / speed
-        height = 0.1**2 * roughness / (n**2 + 0.011**2) / speed
+        height = 0.1**2 * 64e-6 / (n**2 + 0.011**2) / speed
         return ((width * share / 2).ravel() * height) @ power(frequency)
 
-    model, delay = state_space(car), (car.cg_to_front + car.cg_to_rear) / speed
-    far = max(200, 300 / delay)
-    fine = np.concatenate(
-        [np.linspace(0, 5, 500)[:-1], np.linspace(5, 50, 300)[:-1], np.arange(50, far, min(0.5 / delay, 5)), [far]]
-    )
+    model, delay = state_space(car), (car.cg_to_front + car.cg_to_rear if distance is None else distance) / speed
+    far, step = (max(200, 300 / delay), min(0.5 / delay, 5)) if delay else (200, 5)
+    fine = np.concatenate([np.linspace(0, 5, 500)[:-1], np.linspace(5, 50, 300)[:-1], np.arange(50, far, step), [far]])
+
+    def far_off(f: Array) -> Array:
+        both = axle_responses(model, f)
+        powers: Array = (np.abs(both) ** 2).sum(axis=-1) if delay else np.abs(both.sum(axis=-1)) ** 2
+        return powers
+
     low = integrate(fine, lambda f: np.abs(road_response(model, f, delay)) ** 2)
-    high = integrate(
-        far * np.exp(np.linspace(0, np.log(1e6), 81)), lambda f: (np.abs(axle_responses(model, f)) ** 2).sum(axis=-1)
-    )
+    high = integrate(far * np.exp(np.linspace(0, np.log(1e6), 81)), far_off)
     return np.sqrt(low + high)
