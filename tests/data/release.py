@@ -1,10 +1,15 @@
-"""Databases as cores 0.2.0 and 0.3.0 left them when they were killed: every row, and what their services had answered.
+"""Databases as cores 0.2.0, 0.3.0 and 0.4.0 left them when they were killed: every row, and what was answered before.
 
 Such a fixture is made once, by a release's own code, and never again: it stands for the databases out there (the
 history of this file has the programs that made them). Each has runs (one with a strategy that failed), links to them
 and to a batch, and a batch and a tuning each that are done and that are not. That of 0.3.0 has jobs with an owner and a
 label, an unfinished job of the paper page, runs over several roads, on a measured road, with an estimated state and
 with `lv_hil`, and runs whose results retention had removed.
+
+That of 0.4.0 (899e0802) also has custom controllers, whose files are in it, recordings, pinned variants, a batch on a
+measured road and a robustness study; failures that were the machine's fault; and results of a controller that sets its
+preview as a plain attribute, which are those of another scenario. It is SQLite's. The same program was run with
+PostgreSQL: the rows differ in their ids and times alone.
 """
 
 import base64
@@ -20,7 +25,7 @@ from sqlalchemy.types import TypeEngine
 
 from backend.store import Store
 
-Version = Literal["0.2.0", "0.3.0"]
+Version = Literal["0.2.0", "0.3.0", "0.4.0"]
 VERSIONS: tuple[Version, ...] = get_args(Version)
 Rows = list[dict[str, Any]]
 
@@ -48,7 +53,8 @@ MOVED = {
 def content(version: Version) -> Any:
     """The fixture: `revision` of the database's schema, `tables` with their rows, `answers` by path.
 
-    That of 0.3.0 also has `expired`: by path the answers about runs before retention removed their results.
+    From 0.3.0 on also `expired`: by path the answers about runs before retention removed their results. From 0.4.0 on
+    `machine_faults` and `stale`: by path answers that a later version may not repeat; and `files` of controllers.
     """
     path = Path(__file__).with_name(f"release_{version.replace('.', '_')}.json.gz")
     return json.loads(gzip.decompress(path.read_bytes()))
@@ -94,6 +100,12 @@ def insert(store: Store, version: Version) -> None:
                 values = [{name: _from_json(types[name], value) for name, value in row.items()} for row in rows]
                 # A job stands behind the job that submitted it, which is not the order of an unordered table.
                 connection.execute(table.insert(), sorted(values, key=lambda row: row.get("parent_id") is not None))
+
+
+def write_controllers(version: Version, folder: Path) -> None:
+    """Write the controller files of that service into a folder."""
+    for name, text in content(version).get("files", {}).items():
+        (folder / name).write_bytes(bytes_of(text))
 
 
 def dump(connection: Connection) -> dict[str, Rows]:
