@@ -216,8 +216,15 @@ class Runs:
             raise RoadGoneError from None
         if not all(item.cacheable for item in outcomes):
             raise RoadGoneError  # stored, this failure would be the run's result for ever
-        await self.store.write(self.store.runs.recompute, stored.id, CORE_VERSION, outcomes)
-        return replace(stored, results=tuple(outcomes), core_version=CORE_VERSION)
+        again = replace(
+            stored,
+            results=tuple(outcomes),
+            core_version=CORE_VERSION,
+            schema_version=SCHEMA_VERSION,
+            scenario=scenario.model_dump(mode="json"),
+        )
+        await self.store.write(self.store.runs.recompute, again)
+        return again
 
 
 def ordered(strategies: Iterable[str]) -> list[str]:

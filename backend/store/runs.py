@@ -125,13 +125,14 @@ class RunStore(RowStore):
                     insert_new(connection, run_recordings, [{"run_id": run.id, "recording_id": recording}])
             return _load_run(connection, run.id)
 
-    def recompute(self, run_id: str, core_version: str, outcomes: Sequence[Outcome]) -> None:
-        """Replace the expired results of a run by these, which that core version computed."""
+    def recompute(self, run: StoredRun) -> None:
+        """Replace the results of a stored run by these, and its scenario by the one that they were computed from."""
+        changed = {name: getattr(run, name) for name in ("core_version", "schema_version", "scenario")}
         with self._database.writing() as connection:
-            insert_results(connection, outcomes, core_version)
-            connection.execute(delete(run_results).where(run_results.c.run_id == run_id))
-            connection.execute(insert(run_results), _members(run_id, outcomes))
-            update_row(connection, runs, run_id, {"core_version": core_version})
+            insert_results(connection, run.results, run.core_version)
+            connection.execute(delete(run_results).where(run_results.c.run_id == run.id))
+            connection.execute(insert(run_results), _members(run.id, run.results))
+            update_row(connection, runs, run.id, changed)
 
 
 def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_version: str) -> set[str]:

@@ -182,9 +182,12 @@ def test_an_expired_result_is_stored_again_whoever_computes_it(store: Store) -> 
     apply(store, retention_days=30)
     store.jobs.create(replace(BATCH, id="again"), [rows()[0]._replace(key="plain-1")])
     assert [run.key for run in store.job_runs.waiting("again", range(9))] == ["plain-1"], "it is not there"
-    store.runs.recompute("plain", "2", outcomes("plain-1", "other"))
+    before = there(store.runs.load("plain"))
+    newer: dict[str, Any] = {"core_version": "2", "schema_version": 7, "scenario": {"a_field_added_meanwhile": True}}
+    store.runs.recompute(replace(before, **newer, results=tuple(outcomes("plain-1", "other"))))
     run = there(store.runs.load("plain"))
-    assert (run.expired, run.core_version) == (False, "2")
+    assert not run.expired
+    assert {name: getattr(run, name) for name in newer} == newer
     assert store.job_runs.waiting("again", range(9)) == []
 
 
