@@ -84,7 +84,7 @@ ecu: development ## the ECU's program: C sources in build/ridelab-controller, th
 	$(BIN)/python -m benchmarks.ecu
 
 figures: development ## the figures of the manual again, from the lines below them, and what its lines print
-	UPDATE_DOCS=1 $(BIN)/python -m pytest -q tests/architecture/test_documentation.py
+	UPDATE_DOCS=1 $(BIN)/python -m pytest -q tests/architecture/test_documentation.py tests/manual
 
 manual: build/manual/index.html ## the manual as pages in build/manual; the service has them at /manual/
 

@@ -52,9 +52,10 @@ settings.register_profile("search", parent=settings.get_profile("fixed"), derand
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "fixed"))
 
 
-# The browser keeps a core busy, so one process has all its tests while another one has those that mostly wait, and then
-# those of the API, which share a service; the short files come last, so that both end together.
-FIRST = ("browser", "faults", "cluster", "packaging", "api", "architecture", "validation")
+# The browser keeps a core busy, so one process has all its tests while another one has those that mostly wait (the
+# manual's commands too), and then those of the API, which share a service; the short files come last, so that both end
+# together.
+FIRST = ("browser", "faults", "cluster", "packaging", "manual", "api", "architecture", "validation")
 
 
 @pytest.hookimpl(optionalhook=True)

@@ -10,10 +10,11 @@ from typing import Any
 import httpx
 import pytest
 
-from backend.paper.claims import WINDOW
+from backend.paper.claims import SEEDS, WINDOW
 from backend.paper.readings import INTERPRETATIONS, READINGS
 from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
+from tests.docs import causes
 
 PAGE = Path(__file__).parents[2] / "docs/explanation/paper.md"
 SIGNAL_NAMES = {key: item.label for key, item in SIGNALS.items()}
@@ -143,6 +144,14 @@ def test_the_page_shows_what_is_answered(client: httpx.Client) -> None:
         PAGE.write_text(with_blocks(page, blocks), encoding="utf-8")
     else:
         assert with_blocks(page, blocks) == page
+
+
+def test_the_causes_on_the_page() -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    written = with_blocks(page, {"causes": causes.page(range(1, SEEDS + 1))})
+    if os.environ.get("UPDATE_DOCS"):
+        PAGE.write_text(written, encoding="utf-8")
+    assert written == page
 
 
 @pytest.mark.usefixtures("reproduced")

@@ -22,21 +22,12 @@ from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, RUN_FIGURES
 from sim_core.scenario import SCHEMA_VERSION, dotted
 from tests.docs import library_reference, scenario_reference
 from tests.docs.drawing import chart
+from tests.docs.sources import ROOT, with_cells_alone
 
-ROOT = Path(__file__).parents[2]
 BLOCK = re.compile(r"^```python\n(.*?)^```$(?:\n\nIt prints:\n\n```text\n(.*?)^```$)?", re.DOTALL | re.MULTILINE)
 PRINTS = "\n\nIt prints:\n\n```text\n{}```"
 FIGURE = re.compile(r"^!\[([^\]]*)\]\(([^)]+\.svg)\)$", re.MULTILINE)
 GALLERY_LINK = re.compile(r"\]\(/\?gallery=([\w-]+)\)")
-_FORMULAS = ("road", "half-car", "fuzzy-drive", "cost-and-lqr", "mpc", "preview", "estimation", "metrics", "luck")
-_LESSONS = ("ten-cells", "own-controller", "read-a-result")
-PAGES = [
-    "README.md",
-    "sim_core/README.md",
-    pytest.param("docs/gallery/index.md", marks=pytest.mark.thorough),  # it drives for 5 s
-    *(f"docs/tutorials/{name}.md" for name in _LESSONS),
-    *(f"docs/explanation/{name}.md" for name in _FORMULAS),
-]
 CONSTANTS_AND_TYPES = {"STRATEGIES", "FloatArray", "Preview", "SpeedPlan", "Weights"}  # they have no docstring
 PARTS = set(sim_core.scenario.__all__) - {"Scenario"}  # Scenario's example shows how they make one
 PUBLIC = sorted(set(sim_core.__all__) - CONSTANTS_AND_TYPES - PARTS)
@@ -56,7 +47,7 @@ def test_a_reference_page_is_what_the_code_says(name: str, page: Callable[[], st
     compare(ROOT / "docs/reference" / name, page())
 
 
-@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize("name", with_cells_alone())
 def test_the_python_blocks_of_a_page_run(name: str) -> None:
     """In order, each with the names of those before; a traceback has the page's lines. Those of explanations compare.
 

@@ -1,6 +1,6 @@
 """The client and the command against prepared answers: no workers, no database, no network.
 
-That documented commands and cells work with a real service is shown in tests/api/test_cli_docs.py.
+That documented commands and cells work with a real service is shown in tests/manual.
 """
 
 import json

@@ -1,6 +1,6 @@
 """Why printed changes do not come out here: each cause with the fields that show it, and what they make of the cells.
 
-tests/drill/test_docs.py drives all of it and, with UPDATE_DOCS=1, prints the tables into docs/explanation/paper.md.
+tests/api/test_paper_docs.py drives all of it and, with UPDATE_DOCS=1, prints the tables into docs/explanation/paper.md.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence

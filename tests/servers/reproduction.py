@@ -28,6 +28,7 @@ from backend.scenario_at import scenario_at
 from backend.store import Store
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
+from tests.results import moved_only
 from tests.servers.process import ROOT
 
 FILE = ROOT / "tests/data/reproduction.json.gz"
@@ -63,10 +64,16 @@ def rows() -> dict[str, Any]:
     """By key what a service stores for the page."""
     if os.environ.get("UPDATE_DOCS"):
         written = FILE.with_suffix(f".{os.getpid()}")  # another process may read the file
-        written.write_bytes(gzip.compress(orjson.dumps([computed(row) for row in distinct()]), mtime=0))
+        summaries = moved_only(_stored(), orjson.loads(orjson.dumps([computed(row) for row in distinct()])))
+        written.write_bytes(gzip.compress(orjson.dumps(summaries), mtime=0))
         written.replace(FILE)
+    return {row.key: summary for row, summary in zip(distinct(), _stored(), strict=True)}
+
+
+def _stored() -> list[Any]:
+    """Return what the file has of each row."""
     stored: list[Any] = orjson.loads(gzip.decompress(FILE.read_bytes()))
-    return {row.key: summary for row, summary in zip(distinct(), stored, strict=True)}
+    return stored
 
 
 def computed(row: JobRun) -> Any:

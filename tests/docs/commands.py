@@ -1,7 +1,7 @@
-"""What pages of docs/ show is what their commands print, run here again in order.
+"""Runs the commands and cells of a page in order, and compares what they print with what the page shows.
 
-`UPDATE_DOCS=1 python -m pytest tests/api/test_cli_docs.py` prints the outputs into the pages anew; tests/drill does the
-same for pages whose commands take long.
+Which pages: those of README and manual that print a command, or ask a service. tests/architecture/test_documentation.py
+runs the cells of the others.
 """
 
 import io
@@ -12,17 +12,17 @@ import subprocess
 import sys
 from collections.abc import Callable
 from contextlib import closing, redirect_stderr, redirect_stdout
+from difflib import SequenceMatcher
 from pathlib import Path
 
-import httpx
 import pytest
 
 from ridelab import Ridelab
 from ridelab.cli import app
 from tests.client.cli import environment
+from tests.docs.sources import ROOT
 from tests.servers.programs import find
 
-ROOT = Path(__file__).parents[2]
 UPDATE = bool(os.environ.get("UPDATE_DOCS"))
 ADDRESS = "http://127.0.0.1:8000"
 BLOCK = re.compile(
@@ -52,7 +52,7 @@ class Page:
     """A page's commands, run in one folder one after the other: Python and `ridelab` here, all else by a shell."""
 
     def __init__(self, name: str, address: str) -> None:
-        self.path = ROOT / "docs" / name
+        self.path = ROOT / name
         self._address = address
         self._variables: dict[str, object] = {"__name__": "__main__"}  # which later cells go on with
         self._ids: dict[str, str] = {}  # of the last batch, run and link, for commands that name BATCH, RUN, SLUG
@@ -131,6 +131,15 @@ def shell(command: str, given: bytes = b"") -> bytes:
     ).stdout
 
 
+def with_changed_lines(old: str, new: str) -> str:
+    """Return the new text, with the old one's lines where only values differ that change from run to run."""
+    before, after = old.splitlines(keepends=True), new.splitlines(keepends=True)
+    comparable, again = ([without_changing_values(line) for line in lines] for lines in (before, after))
+    for start, place, length in SequenceMatcher(None, comparable, again, autojunk=False).get_matching_blocks():
+        after[place : place + length] = before[start : start + length]
+    return "".join(after)
+
+
 def without_changing_values(text: str) -> str:
     """Without what changes from run to run."""
     for pattern, word in CHANGING:
@@ -138,9 +147,15 @@ def without_changing_values(text: str) -> str:
     return text
 
 
-def check(name: str, client: httpx.Client, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Compare a page with what its commands print now, or write that into it."""
-    address = str(client.base_url).rstrip("/")
+def check(name: str, address: str, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Compare a page with what its commands print now, or write that into it.
+
+    Args:
+        name: Its path in the repository.
+        address: Of the service that its commands ask.
+        folder: Where its commands write.
+        monkeypatch: Of the test.
+    """
     monkeypatch.chdir(folder)
     (folder / "examples").symlink_to(ROOT / "examples")
     monkeypatch.setenv("RIDELAB_SERVER", address)
@@ -148,23 +163,6 @@ def check(name: str, client: httpx.Client, folder: Path, monkeypatch: pytest.Mon
     with closing(page):
         again = page.again()
     if UPDATE:
-        page.path.write_text(again, encoding="utf-8")
+        written = with_changed_lines(page.path.read_text(encoding="utf-8"), again)
+        page.path.write_text(written, encoding="utf-8")
     assert without_changing_values(page.path.read_text(encoding="utf-8")) == without_changing_values(again)
-
-
-PAGES = [
-    "../README.md",
-    "reference/api.md",
-    "tutorials/sweep-from-a-script.md",
-    "how-to/own-vehicle.md",
-    "how-to/share-and-export.md",
-    "how-to/check-in-ci.md",
-]
-
-
-@pytest.mark.usefixtures("reproduced")
-@pytest.mark.parametrize("name", PAGES)
-def test_a_page_shows_what_its_commands_print(
-    name: str, client: httpx.Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    check(name, client, tmp_path, monkeypatch)
