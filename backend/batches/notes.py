@@ -5,7 +5,8 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from sim_core.scenario import dotted
-from sim_core.strategies import STRATEGIES, reads, resolve_speed_plan, strategy_named
+from sim_core.strategies import reads, resolve_speed_plan, strategy_named
+from sim_core.strategies.effects import conditional_reads
 
 POLICY = "speed.policy"
 INITIAL, TARGET = "speed.initial_speed_kmh", "speed.target_speed_kmh"
@@ -28,7 +29,7 @@ def notes(
     return [
         *_repeated(points),
         *_unread(names, policies, axes, runs),
-        *(_without_choice(base, points, swept) if STRATEGIES.keys() >= set(names) else ()),
+        *_without_effect(base, points, swept, names, policies),
         *_overruled(base, swept),
         *_clamped(base, points, names, policies),
     ]
@@ -56,14 +57,22 @@ def _unread(
     return said
 
 
-def _without_choice(base: JsonObject, points: Sequence[JsonObject], swept: Sequence[str]) -> Iterator[str]:
-    """Fields that our strategies read with another one's value alone, such as a filter's, which no point has."""
-    for field in map(dotted.field, swept):
-        if field.read_with is None:
-            continue
-        choice, needed = field.read_with
-        if all(point.get(choice, dotted.value(base, choice)) != needed for point in points):
-            yield f"{field.title} is read with {choice} = {needed} alone, which no point has"
+def _without_effect(
+    base: JsonObject,
+    points: Sequence[JsonObject],
+    swept: Sequence[str],
+    names: Sequence[str],
+    policies: Collection[str],
+) -> Iterator[str]:
+    """Fields that the strategies use only with other values, such as a filter's, which no point has."""
+    for field in swept:
+        using = [name for name in names if any(_reads(reads(strategy_named(name), each), field) for each in policies)]
+        groups = [group for name in using for group in conditional_reads(strategy_named(name))]
+        needed = [group.conditions for group in groups if _reads(group.fields, field)]
+        if needed and not any(all(each.holds(base, point) for each in need) for need in needed for point in points):
+            fewest = min(needed, key=len)
+            conditions = " and ".join(map(str, fewest))
+            yield f"{dotted.field(field).title} is used only with {conditions}, which no point has"
 
 
 def _overruled(base: JsonObject, swept: Sequence[str]) -> list[str]:

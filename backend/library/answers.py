@@ -11,7 +11,14 @@ from pydantic import BaseModel
 from backend import own
 from backend.http.kinds import KINDS
 from backend.json_types import JsonObject
-from backend.library.models import Catalogue, PresetAnswer, ProblemAnswer, StrategyAnswer, VehicleAnswer
+from backend.library.models import (
+    Catalogue,
+    ConditionalReadsAnswer,
+    PresetAnswer,
+    ProblemAnswer,
+    StrategyAnswer,
+    VehicleAnswer,
+)
 from backend.means_over_roads import one_road_resolution
 from backend.models import CharacteristicsAnswer
 from backend.runs import figures
@@ -21,6 +28,7 @@ from sim_core.scenario.presets import PRESETS
 from sim_core.scenario.vehicles import VEHICLES, VehiclePreset
 from sim_core.strategies import reads
 from sim_core.strategies import strategies as known_strategies
+from sim_core.strategies.effects import conditional_reads
 
 
 def schema() -> bytes:
@@ -66,6 +74,7 @@ def strategies() -> bytes:
                 label=strategy.label,
                 description=strategy.description(),
                 reads=reads(strategy),
+                reads_when=[ConditionalReadsAnswer.model_validate(each) for each in conditional_reads(strategy)],
                 one_road_resolution=one_road_resolution(strategy.id),
                 **dataclasses.asdict(figures.style_of(strategy.id)),
                 **_origin(strategy.id),

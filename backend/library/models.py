@@ -16,6 +16,21 @@ class PresetAnswer(Answer):
     scenario: Scenario
 
 
+class ConditionAnswer(Answer):
+    """That a field of the scenario has one of some values."""
+
+    field: str = Field(description="Its dotted name")
+    values: list[str | bool | float | None] = Field(description="One of these")
+    excluded: bool = Field(description="Whether it must have none of them instead")
+
+
+class ConditionalReadsAnswer(Answer):
+    """Fields on which a result depends where all of some conditions hold."""
+
+    fields: list[str] = Field(description="Dotted names of fields, and of whole parts")
+    conditions: list[ConditionAnswer] = Field(description="Without one it always does")
+
+
 class StrategyAnswer(Answer):
     """A strategy: what it does, which parts of the scenario it reads, how it is drawn."""
 
@@ -23,6 +38,10 @@ class StrategyAnswer(Answer):
     label: str
     description: str
     reads: list[str]
+    reads_when: list[ConditionalReadsAnswer] = Field(
+        description="All that its result may depend on, at any speed policy, with the conditions under which it does: "
+        "a field has an effect where all conditions of one entry with it hold"
+    )
     colour: str
     dark_colour: str = Field(description="On a dark background")
     dash: str

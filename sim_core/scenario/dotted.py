@@ -35,7 +35,6 @@ class DottedField:
     kind: Kind
     adapter: TypeAdapter[Any]
     default: Any = None  # of an option, which a scenario may lack
-    read_with: tuple[str, str] | None = None  # a choice's dotted name, and its value with which alone ours read this
 
     def checked(self, value: Any) -> Any:
         """The value as the scenario holds it, in plain JSON types.
@@ -180,10 +179,8 @@ def _walk(model: type[BaseModel], prefix: str) -> Iterator[DottedField]:
         unit, title = str(extra.get("unit", "1")), str(info.title or key)
         annotated: Any = Annotated[annotation, info]
         adapter: TypeAdapter[Any] = TypeAdapter(annotated, config=STRICT)
-        needed = extra.get("read_with")
-        read_with = (f"{prefix}{needed[0]}", str(needed[1])) if isinstance(needed, list) else None
         kind = kind_of(annotation)
-        yield DottedField(name=name, title=title, unit=unit, kind=kind, adapter=adapter, read_with=read_with)
+        yield DottedField(name=name, title=title, unit=unit, kind=kind, adapter=adapter)
         titles = extra.get("item_titles")
         for index, item_title in enumerate(titles if isinstance(titles, list) else []):
             yield DottedField(

@@ -4,7 +4,6 @@ from functools import cache
 from typing import Annotated, Any
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, JsonValue
-from pydantic.config import JsonDict
 from pydantic_core import PydanticCustomError
 
 
@@ -19,13 +18,9 @@ def quantity(unit: str, *, soft: tuple[float, float], ge: float, le: float, show
     return Field(ge=ge, le=le, json_schema_extra=extra)
 
 
-def field(default: Any, title: str, description: str, *, read_with: tuple[str, str] | None = None) -> Any:
-    """A field of a part; `...` has no default.
-
-    `read_with` is a choice beside it, and the value with which alone our strategies read it.
-    """
-    extra: JsonDict = {} if read_with is None else {"read_with": list(read_with)}
-    return Field(default, title=title, description=description, json_schema_extra=extra)
+def field(default: Any, title: str, description: str) -> Any:
+    """A field of a part; `...` has no default."""
+    return Field(default, title=title, description=description)
 
 
 # In a field's type: it is younger than stored results, and at its default no part of what a result is known by.

@@ -83,9 +83,6 @@ class Mismatch(Part):
         )
 
 
-_FILTERED = ("kind", "kalman")
-
-
 class Estimation(Part):
     """What controllers are told of the car's state: the state itself, or what a Kalman filter makes of sensors."""
 
@@ -100,25 +97,21 @@ class Estimation(Part):
         "Filter knows the preview",
         "The filter is told what its strategy previews of the road, with the errors that the sensors have; "
         "the rest of the roughness is noise to it, as all of it is where nothing is previewed (kalman).",
-        read_with=_FILTERED,
     )
     acceleration_noise: Annotated[float, quantity("m/s^2", soft=(0.01, 0.5), ge=1e-4, le=10), ADDED] = field(
         0.05,
         "Acceleration noise",
         "Standard deviation of each measured acceleration of the body, and what the filter expects (kalman; ours).",
-        read_with=_FILTERED,
     )
     deflection_noise: Annotated[float, quantity("m", soft=(0.0001, 0.005), ge=1e-6, le=0.1, shown="mm"), ADDED] = field(
         0.0005,
         "Deflection noise",
         "Standard deviation of each measured deflection, and what the filter expects (kalman; ours).",
-        read_with=_FILTERED,
     )
     pitch_rate_noise: Annotated[float, quantity("rad/s", soft=(0.0005, 0.02), ge=1e-6, le=1), ADDED] = field(
         0.002,
         "Pitch rate noise",
         "Standard deviation of each measured pitch rate, and what the filter expects (kalman; ours).",
-        read_with=_FILTERED,
     )
 
 

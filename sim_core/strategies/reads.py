@@ -56,11 +56,11 @@ def dependencies(strategy: type[Controller], plan: SpeedPlan) -> tuple[str, ...]
     if plan == "planned":
         names += SPEED_PLAN
     options = (f"{OWN}{strategy.id}",) if strategy.options() else ()
-    return (*_by_parts(frozenset(names)), *options)
+    return (*by_parts(frozenset(names)), *options)
 
 
 @cache
-def _by_parts(names: frozenset[str]) -> tuple[str, ...]:
+def by_parts(names: frozenset[str]) -> tuple[str, ...]:
     """The same fields, with a part's name in place of those of all its fields."""
     return tuple(sorted(_of_part(Scenario, "", names)))
 

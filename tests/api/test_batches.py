@@ -300,7 +300,7 @@ def test_what_a_sweeps_runs_do_not_depend_on_is_said(client: httpx.Client) -> No
         "linked": {"road.bump.height": ["estimation.deflection_noise"]},
     }
     assert submit(client, noise, dry_run=True, strategies=["lv"]).json()["notes"] == [
-        f"{title} is read with estimation.kind = kalman alone, which no point has"
+        f"{title} is used only with estimation.kind = kalman, which no point has"
         for title in ("Acceleration noise", "Deflection noise")
     ]
     filtered: dict[str, Any] = {"scenario": {"estimation": {"kind": "kalman"}}, "strategies": ["lv"]}

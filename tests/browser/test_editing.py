@@ -155,6 +155,38 @@ def test_fields_are_switched_mistyped_and_set_by_a_vehicle(dashboard: Dashboard,
     expect(page.get_by_role("alert").filter(has_text=f"{file.name}: This file is not JSON")).to_be_visible()
 
 
+def test_a_field_that_nothing_shown_uses_says_who_does(dashboard: Dashboard) -> None:
+    """As strategies are shown and hidden, and as switches of the scenario change."""
+    dashboard.open()
+    page, address = dashboard.page, dashboard.page.url
+    search, unused = page.get_by_label("Find a field"), page.get_by_test_id("unused")
+    search.fill("Sensor noise")
+    noise = page.locator("[data-pointer='/hil/noise']").first
+    expect(noise.get_by_test_id("unused")).to_have_text("No shown strategy uses this. LV as ECU code does.")
+    expect(dashboard.entry("Sensor noise")).to_be_enabled()
+    dashboard.toggle("LV as ECU code")
+    expect(noise.get_by_test_id("unused")).to_have_count(0)
+    dashboard.toggle("LV as ECU code")
+    expect(noise.get_by_test_id("unused")).to_have_count(1)
+    search.fill("Preview noise")
+    expect(unused).to_have_count(0)
+    dashboard.chip("LV control").click()
+    expect(unused.first).to_have_text(
+        "No shown strategy uses this. LV control, LV as ECU code and Single suspension control do."
+    )
+    dashboard.chip("LV control").click()
+    search.fill("MPC preview")
+    page.get_by_label("Preview", exact=True).select_option("None")
+    search.fill("Preview noise")
+    expect(unused.first).to_have_text("Used only with MPC preview: Lookahead")
+    expect(dashboard.entry("Preview noise")).to_be_disabled()
+    search.fill("skyhook damping")
+    damping = page.locator("[data-pointer='/hook/skyhook_damping']").first
+    expect(damping.get_by_test_id("unused")).to_have_text("No shown strategy uses this. Skyhook and Hybrid hook do.")
+    page.get_by_role("button", name="Undo").click()
+    expect(page).to_have_url(address)
+
+
 def test_presets_and_own_scenarios_are_opened_saved_and_imported(dashboard: Dashboard) -> None:
     dashboard.open()
     page, address = dashboard.page, dashboard.page.url

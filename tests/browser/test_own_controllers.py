@@ -13,11 +13,13 @@ def test_a_saved_law_is_compared_with_before_and_a_broken_one_says_its_line(
     try:
         dashboard.open()
         first = page.url
-        search, unread = page.get_by_label("Find a field"), page.get_by_text("Read only with State")
+        search, unused = page.get_by_label("Find a field"), page.get_by_test_id("unused")
         search.fill("Deflection noise")
-        expect(unread).to_be_visible()
+        expect(unused).to_have_text("No shown strategy uses this. Mine does.")  # without a filter, if it likes
         dashboard.toggle("Mine")
-        expect(unread).to_have_count(0)
+        expect(unused).to_have_count(0)
+        search.fill("Skyhook damping")  # of which the service says that it does not read it
+        expect(unused.first).to_have_text("No shown strategy uses this. Skyhook and Hybrid hook do.")
         search.fill("")
         expect_new_address(page, first)
         dashboard.expect_curves()

@@ -10,11 +10,12 @@ import pytest
 from sim_core import strategies
 from sim_core.caching import SHARED
 from sim_core.result import StrategyResult
-from sim_core.scenario import Bump, Estimation, Hil, Lqr, Mpc, Road, Scenario, Speed, Vehicle
+from sim_core.scenario import Bump, Estimation, Hil, Lqr, Mpc, Road, Scenario, Speed, Vehicle, dotted
 from sim_core.scenario.fields import Part
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES, reads, values_read
+from sim_core.strategies.effects import conditional_reads
 
 # A short, lively run: limits bind, the car brakes, every stage occurs.
 BASE = Scenario(
@@ -65,9 +66,9 @@ def altered(value: Any) -> Any:
     return value - 1 if isinstance(value, int) else value * 0.93
 
 
-def with_leaf(path: tuple[str, ...]) -> Scenario:
+def with_leaf(path: tuple[str, ...], base: Scenario = BASE) -> Scenario:
     """The base scenario with that one field changed."""
-    document = json.loads(BASE.model_dump_json())
+    document = json.loads(base.model_dump_json())
     if path == ("road", "profile"):
         document["road"]["profile"] = MEASURED.id
         return Scenario.model_validate(document).on(MEASURED)
@@ -85,7 +86,8 @@ def with_leaf(path: tuple[str, ...]) -> Scenario:
         place[path[-1]] = OWN_RULES[path[-1]]
     if path == ("hil", "jitter"):  # whole milliseconds count
         place[path[-1]] = 0.006
-    return Scenario.model_validate(document)
+    changed = Scenario.model_validate(document)
+    return changed.on(MEASURED) if changed.road.profile else changed
 
 
 def triangles(*peaks: float) -> list[dict[str, object]]:
@@ -197,6 +199,54 @@ def test_the_speed_policy_changes_the_key_exactly_where_it_changes_the_result(st
             policy == "constant"
         )
         assert same(simulate(slower, strategy), result) == (policy == "constant")
+
+
+# Scenarios in which some fields that a strategy may read have no effect, and others have one.
+VARIANTS: dict[str, dict[str, Any]] = {
+    "as it is": {},
+    "measured": {"road.profile": MEASURED.id},
+    "filtered on a measured road": {"road.profile": MEASURED.id, "estimation.kind": "kalman"},
+    "trusting": {"road.profile": MEASURED.id, "mpc.expected_offset": 0.1, "mpc.expected_noise": 0.01},
+    "noisy": {"road.profile": MEASURED.id, "mismatch.preview_noise": 0.01},
+    "filtered": {"estimation.kind": "kalman"},
+    "filtered without preview": {"estimation.kind": "kalman", "mpc.preview": "none", "lqr.preview": "none"},
+    "without preview": {"mpc.preview": "none", "lqr.preview": "none"},
+    "behind the front": {"mpc.preview": "wheelbase", "lqr.preview": "wheelbase"},
+    "the bump alone": {"mpc.preview": "obstacle", "lqr.preview": "obstacle"},
+    "at constant speed": {"speed.policy": "constant"},
+    "slowed down": {"speed.policy": "planned"},
+    "level": {"road.bump.height": 0, "road.roughness": 0, "hil.noise": 0, "hil.jitter": 0, "hil.packet_loss": 0},
+    "one bump": {"road.bump.count": 1, "vehicle.anti_dive": 0, "vehicle.anti_lift": 0},
+    "stops": {"vehicle.bump_stop_clearance": 0.02, "hook.semi_active": True},
+}
+
+
+def scenario_of(variant: str) -> Scenario:
+    scenario = Scenario.model_validate(dotted.with_changes(BASE.model_dump(mode="json"), VARIANTS[variant]))
+    return scenario.on(MEASURED) if scenario.road.profile else scenario
+
+
+@every_strategy
+def test_a_field_has_an_effect_only_where_the_conditions_of_its_reading_hold(strategy: str) -> None:
+    """Under each variant what has no effect changes nothing at all, and each field has one under some variant."""
+    groups = conditional_reads(STRATEGIES[strategy])
+    always = {name for group in groups if not group.conditions for name in group.fields}
+    silent, effective = set[str](), set[str]()
+    for variant in VARIANTS:
+        scenario = scenario_of(variant)
+        plain, base = scenario.model_dump(mode="json"), simulate(scenario, strategy)
+        for path in LEAVES:
+            name = ".".join(path)
+            covering = [group for group in groups if any(f"{name}.".startswith(f"{each}.") for each in group.fields)]
+            if not covering or any(f"{name}.".startswith(f"{each}.") for each in always):
+                continue
+            has_effect = any(all(each.holds(plain) for each in group.conditions) for group in covering)
+            if has_effect and name in effective:
+                continue
+            unchanged = same(simulate(with_leaf(path, scenario), strategy), base)
+            assert unchanged or has_effect, (variant, name)
+            (silent if unchanged else effective).add(name)
+    assert silent - effective <= {".".join(path) for path in SILENT}
 
 
 @every_strategy

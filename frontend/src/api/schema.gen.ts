@@ -525,6 +525,15 @@ export interface components {
             readonly distance?: string | null;
             readonly speed_error?: string | null;
         };
+        readonly ConditionalReadsAnswer: {
+            readonly conditions: readonly components["schemas"]["ConditionAnswer"][];
+            readonly fields: readonly string[];
+        };
+        readonly ConditionAnswer: {
+            readonly excluded: boolean;
+            readonly field: string;
+            readonly values: readonly (string | boolean | number | null)[];
+        };
         readonly ControllerLimit: {
             readonly distance: number;
             readonly force_without: readonly number[] | null;
@@ -1416,6 +1425,7 @@ export interface components {
             readonly options: JsonObject;
             readonly own: boolean;
             readonly reads: readonly string[];
+            readonly reads_when: readonly components["schemas"]["ConditionalReadsAnswer"][];
             readonly source: components["schemas"]["Source"] | null;
         };
         readonly StrategyChanges: {
@@ -1742,6 +1752,8 @@ export type ComparedPoint = components['schemas']['ComparedPoint'];
 export type Comparison = components['schemas']['Comparison'];
 export type Compilers = components['schemas']['Compilers'];
 export type Condition = components['schemas']['Condition'];
+export type ConditionalReadsAnswer = components['schemas']['ConditionalReadsAnswer'];
+export type ConditionAnswer = components['schemas']['ConditionAnswer'];
 export type ControllerLimit = components['schemas']['ControllerLimit'];
 export type ControllerPart = components['schemas']['ControllerPart'];
 export type ControllerReport = components['schemas']['ControllerReport'];

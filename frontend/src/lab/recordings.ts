@@ -43,7 +43,7 @@ function strategyOf(id: StrategyId, name: string | undefined, like: Strategy): S
   const [colour = "", dark_colour = "", dash = ""] = STYLES[sum % STYLES.length] ?? [];
   const label = name ?? `Recording ${key.slice(0, 6)}`;
   const description = "A recorded drive, placed on this road by its likeness to a simulated one.";
-  return { ...like, id, label, description, colour, dark_colour, dash, reads: [] };
+  return { ...like, id, label, description, colour, dark_colour, dash, reads: [], reads_when: [] };
 }
 
 const inUse = ({ strategies, shown }: LabState) =>

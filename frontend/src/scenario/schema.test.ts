@@ -50,16 +50,6 @@ describe("the form from the schema", () => {
     expect(numberField("/road/seed").integer).toBe(true);
   });
 
-  it("says with which choice alone a field is read", () => {
-    const properties = {
-      kind: { enum: ["exact", "kalman"], default: "exact", title: "State" },
-      noise: { type: "number", default: 1, title: "Noise", read_with: ["kind", "kalman"] },
-    };
-    const [kind, noise] = readSchema({ properties }).members;
-    expect(kind).not.toHaveProperty("readWith");
-    expect(noise).toMatchObject({ readWith: { pointer: "/kind", title: "State", value: "kalman" } });
-  });
-
   it("states the paper's scenario", () => {
     expect(STANDARD).toEqual({
       road: { seed: 1, bump: { shape: "cosine", height: 0.1 } },

@@ -10,8 +10,6 @@ interface Base {
   readonly description: string;
   /** The paper's value. */
   readonly paperValue: JsonValue;
-  /** The choice beside it, and the value of that without which this field is not read. */
-  readonly readWith?: { readonly pointer: Pointer; readonly title: string; readonly value: string };
 }
 
 export interface NumberField extends Base {
@@ -104,11 +102,7 @@ class Reader {
     const properties = isObject(node.properties) ? node.properties : {};
     const members = Object.entries(properties).flatMap(([name, raw]) => {
       const member = isObject(raw) ? this.#member(raw, child(pointer, name), name, paperValues) : null;
-      if (member === null || !isObject(raw)) return [];
-      const [choice, value] = list(raw.read_with).map(text);
-      const chosen = choice === undefined ? undefined : properties[choice];
-      if (choice === undefined || value === undefined || !isObject(chosen)) return [member];
-      return [{ ...member, readWith: { pointer: child(pointer, choice), title: text(chosen.title), value } }];
+      return member === null ? [] : [member];
     });
     return {
       kind: "group",

@@ -1,18 +1,19 @@
 /** What every field shares: its value and how it is changed; label, help, mark of a change and error around it. */
 
 import { ActionIcon, Box, Group, Text } from "@mantine/core";
-import { memo, useEffect, useRef, type ReactNode, useId } from "react";
+import { createContext, memo, use, useEffect, useRef, type ReactNode, useId } from "react";
 import { Icon } from "../../ui/icons";
 import { ManualLink } from "../../ui/ManualLink";
 import { useEdit, useReadOnly, useFromScenario, useLab } from "../../lab/context";
 import classes from "./editor.module.css";
 import { type Leaf, valueAt } from "../../scenario/differences";
-import { getAt, setAt, sameValue, type Pointer } from "../../scenario/path";
+import { setAt, sameValue, type Pointer } from "../../scenario/path";
 import { type Field, optionOf, optionTitle, optionValue, type ChoiceField } from "../../scenario/schema";
 import { Choice } from "../../ui/Entry";
 import type { JsonValue, Scenario } from "../../api/types";
 import type { InvalidInput } from "../../lab/labState";
-import { useStrategies } from "../../server/useCatalogues";
+import { useForm, useStrategies } from "../../server/useCatalogues";
+import { isUsed, unusedText } from "../../scenario/effect";
 
 interface Props {
   readonly id: string;
@@ -25,8 +26,9 @@ interface Props {
   readonly children?: ReactNode;
 }
 
-export function FieldFrame({ id, field, leaf: { changed, error, unread }, paperText, aside, children }: Props) {
+export function FieldFrame({ id, field, leaf: { changed, error, unused }, paperText, aside, children }: Props) {
   const { pointer, title } = field;
+  const isSaidAbove = use(SaidAbove);
   return (
     <div
       className={classes.field}
@@ -37,7 +39,7 @@ export function FieldFrame({ id, field, leaf: { changed, error, unread }, paperT
       <Group gap="0.25rem" wrap={aside === undefined ? "nowrap" : "wrap"} mih={30}>
         <label
           className={classes.label}
-          data-unread={unread !== undefined || undefined}
+          data-unused={unused !== undefined || undefined}
           htmlFor={id}
           id={`${id}-label`}
         >
@@ -49,13 +51,18 @@ export function FieldFrame({ id, field, leaf: { changed, error, unread }, paperT
         {aside}
       </Group>
       {children}
-      {unread !== undefined && (
-        <Text size="xs" mt={4} c="dimmed">
-          {unread}
-        </Text>
-      )}
+      {unused !== undefined && !isSaidAbove && <UnusedText>{unused}</UnusedText>}
       <FieldError id={id} error={error} />
     </div>
+  );
+}
+
+/** Why a field, or several, have no effect. */
+export function UnusedText({ children }: { readonly children: string }) {
+  return (
+    <Text size="xs" mt={4} c="dimmed" data-testid="unused">
+      {children}
+    </Text>
   );
 }
 
@@ -134,45 +141,36 @@ export function ChoiceFieldRow({ field, leaf }: { readonly field: ChoiceField; r
 }
 
 export type LeafState = ReturnType<typeof useValue> & {
-  /** Why the field is not read at the moment; a law of one's own may read any. */
-  readonly unread?: string;
+  /** Why the field has no effect on any strategy that is shown. */
+  readonly unused?: string;
 };
 
-export function useLeaf({ pointer, paperValue, readWith }: Leaf): LeafState {
+export function useLeaf({ pointer, paperValue }: Leaf): LeafState {
   const value = useFromScenario((scenario) => valueAt(scenario, { pointer, paperValue }));
-  const unread = useFromScenario((scenario) =>
-    readWith === undefined || valueAt(scenario, { ...readWith, paperValue: null }) === readWith.value
-      ? withoutEffect(scenario, pointer)
-      : `Read only with ${readWith.title}: ${optionTitle(readWith.value)}`,
-  );
+  const unused = useUnused([pointer]);
   const strategies = useStrategies();
-  const hasOwnLaw = useLab((state) => strategies.some(({ id, own }) => own && state.strategies.includes(id)));
+  const isUsable = useFromScenario((scenario) => strategies.some((each) => isUsed(each, pointer, scenario)));
   const leaf = useValue(pointer, value, (scenario, next) => setAt(scenario, pointer, next));
   const changed = !sameValue(value, paperValue);
-  return unread === null || hasOwnLaw ? { ...leaf, changed } : { ...leaf, changed, readOnly: true, unread };
+  // What others use may be meant for them; what nobody can use is switched on elsewhere first.
+  return unused === null ? { ...leaf, changed } : { ...leaf, changed, readOnly: leaf.readOnly || !isUsable, unused };
 }
 
-/** Why the scenario's other values leave a field of the road without effect; `null` where they do not. */
-export function withoutEffect(scenario: Scenario, pointer: Pointer): string | null {
-  const isZero = (other: Pointer) => (getAt(scenario, other) ?? 0) === 0;
-  const isMeasured = typeof getAt(scenario, "/road/profile") === "string";
-  const isFiltered = getAt(scenario, "/estimation/kind") === "kalman";
-  const driven = "Without effect: the measured road is driven";
-  switch (pointer) {
-    case "/road/bump/spacing":
-      return getAt(scenario, "/road/bump/count") === 1 ? "Without effect on one bump" : null;
-    case "/road/bump/shape":
-      return getAt(scenario, "/road/bump/height") === 0 ? "Without effect at height 0" : null;
-    case "/road/roughness":
-      return isMeasured && !isFiltered && isZero("/mpc/expected_offset") && isZero("/mpc/expected_noise")
-        ? driven
-        : null;
-    case "/road/seed":
-      return isMeasured && !isFiltered && isZero("/mismatch/preview_noise") ? driven : null;
-    default:
-      return null;
-  }
+/** Why fields have no effect on any strategy that is shown, where that is the same of all of them; else `null`. */
+export function useUnused(pointers: readonly Pointer[]): string | null {
+  const [form, strategies] = [useForm(), useStrategies()];
+  const on = useLab((state) => state.strategies);
+  const what = pointers.length > 1 ? "these" : "this";
+  return useFromScenario((scenario) => {
+    const [first = null, ...others] = pointers.map((each) =>
+      unusedText(scenario, each, { form, strategies, on }, what),
+    );
+    return others.every((text) => text === first) ? first : null;
+  });
 }
+
+/** Whether what surrounds a field says why it has no effect, of all its fields. */
+export const SaidAbove = createContext(false);
 
 type Written = (scenario: Scenario, next: JsonValue) => Scenario;
 

@@ -1,10 +1,21 @@
 /** Chooses the control for each member of a section. */
 
 import { Button, Stack, Text, SegmentedControl, Group } from "@mantine/core";
-import { memo, useId } from "react";
+import { memo, use, useId } from "react";
 import { useActionButton } from "../../lab/actions";
 import { DamperCurveRow } from "./DamperCurveRow";
-import { ChoiceFieldRow, FieldFrame, FieldError, Help, ResetButton, useLeaf, type LeafState } from "./FieldFrame";
+import {
+  ChoiceFieldRow,
+  FieldFrame,
+  FieldError,
+  Help,
+  ResetButton,
+  SaidAbove,
+  UnusedText,
+  useLeaf,
+  useUnused,
+  type LeafState,
+} from "./FieldFrame";
 import { NumberFieldRow, NumberEntry, NumberSlider } from "./NumberFieldRow";
 import { RoadProfileRow } from "./RoadProfileRow";
 import type { ChoiceField, Member, NumberField, VectorField, DataField } from "../../scenario/schema";
@@ -17,13 +28,17 @@ const [ROUGHNESS, FUZZY] = ["/road/roughness", "/fuzzy/"];
 
 export const Members = memo(function Members({ members }: { readonly members: readonly Member[] }) {
   const vectors = members.filter((member): member is VectorField => member.kind === "vector");
+  const fields = members.filter((member) => member.kind !== "group");
+  const unused = useUnused(fields.map(({ pointer }) => pointer));
+  const isSaidOnce = unused !== null && fields.length > 1;
   return (
-    <>
+    <SaidAbove value={isSaidOnce}>
+      {isSaidOnce && <UnusedText>{unused}</UnusedText>}
       {vectors.length > 0 && <WeightsMatrix vectors={vectors} />}
       {members.map((member) => (
         <MemberControl key={member.pointer} member={member} />
       ))}
-    </>
+    </SaidAbove>
   );
 });
 
@@ -181,10 +196,14 @@ function MatrixRow({ vector }: { readonly vector: VectorField }) {
   const changed = useFromScenario((scenario) => vector.items.some((item) => isChanged(scenario, item)));
   const wrong = vector.items.find((item) => rejected[item.pointer] ?? refused[item.pointer]);
   const message = wrong && (rejected[wrong.pointer]?.message ?? refused[wrong.pointer]);
+  const unused = useUnused([vector.pointer]);
+  const isSaidAbove = use(SaidAbove);
   return (
     <>
       <div className={classes.rowTitle} data-changed={changed || undefined}>
-        <span className={classes.label}>{vector.title}</span>
+        <span className={classes.label} data-unused={unused !== null || undefined}>
+          {vector.title}
+        </span>
         <Group gap={3} wrap="nowrap">
           <Help field={vector} />
           <ResetButton
@@ -199,6 +218,11 @@ function MatrixRow({ vector }: { readonly vector: VectorField }) {
       {vector.items.map((item) => (
         <MatrixCell key={item.pointer} field={item} rowTitle={vector.title} />
       ))}
+      {unused !== null && !isSaidAbove && (
+        <div style={{ gridColumn: "1 / -1" }}>
+          <UnusedText>{unused}</UnusedText>
+        </div>
+      )}
       {wrong && (
         <div style={{ gridColumn: "1 / -1" }}>
           <FieldError id={`${id}-row`} error={`${wrong.title}: ${message ?? ""}`} />

@@ -1,11 +1,10 @@
 // @vitest-environment happy-dom
-import type { Scenario } from "../../api/types";
 import { cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { leavesOf } from "../../scenario/differences";
 import { FORM } from "../../scenario/form.fixture";
 import { NumberSlider } from "./NumberFieldRow";
-import { withoutEffect, type LeafState } from "./FieldFrame";
+import type { LeafState } from "./FieldFrame";
 
 const height = leavesOf(FORM).find(({ pointer }) => pointer === "/road/bump/height");
 
@@ -58,15 +57,4 @@ it("a pointer that came from elsewhere, or a slider that is switched off, change
   fireEvent.pointerDown(disabled, { button: 0 });
   fireEvent.pointerUp(disabled);
   expect(changes.release).not.toHaveBeenCalled();
-});
-
-it("A field of the road that other values leave without effect says so", () => {
-  const measured = { road: { profile: "a", bump: { count: 1, height: 0 } } };
-  const reasons = (scenario: Scenario) =>
-    (["/road/seed", "/road/roughness", "/road/bump/spacing", "/road/bump/shape", "/road/bump/width"] as const).map(
-      (pointer) => withoutEffect(scenario, pointer) !== null,
-    );
-  expect(reasons(measured)).toEqual([true, true, true, true, false]);
-  expect(reasons({ ...measured, estimation: { kind: "kalman" } })).toEqual([false, false, true, true, false]);
-  expect(reasons({ road: { bump: { count: 2, height: 0.1 } } })).toEqual([false, false, false, false, false]);
 });

@@ -212,6 +212,7 @@ const goneLaw = (id: string): Strategy => ({
   label: id,
   description: "Its file is there no more: these are the numbers that were stored.",
   reads: [],
+  reads_when: [],
   colour: GREY,
   dark_colour: GREY,
   dash: "solid",

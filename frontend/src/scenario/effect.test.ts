@@ -1,0 +1,76 @@
+import { expect, it } from "vitest";
+import type { JsonObject } from "../api/types";
+import { unusedText, type Reading } from "./effect";
+import type { Pointer } from "./path";
+import { readSchema } from "./schema";
+import { completed } from "./differences";
+
+const number = (title: string, value = 0): JsonObject => ({
+  type: "number",
+  minimum: 0,
+  maximum: 9,
+  default: value,
+  title,
+  unit: "1",
+});
+const choice = (title: string, ...options: string[]): JsonObject => ({
+  enum: options,
+  default: options[0] ?? "",
+  title,
+});
+const part = (title: string, properties: JsonObject): JsonObject => ({ type: "object", title, properties });
+const form = readSchema(
+  part("Scenario", {
+    road: part("Road", { height: number("Height", 1), shape: choice("Shape", "round", "flat") }),
+    state: part("Estimation", { kind: choice("State", "exact", "kalman"), noise: number("Noise") }),
+    mpc: part("MPC", { preview: choice("Preview", "lookahead", "none"), weight: number("Weight") }),
+    ecu: part("ECU", { bits: number("Bits"), delay: number("Delay") }),
+  }),
+);
+
+const is = (field: string, ...values: (string | number)[]) => ({ field, values, excluded: false });
+const always = { fields: ["road.height"], conditions: [] };
+const shape = { fields: ["road.shape"], conditions: [{ field: "road.height", values: [0], excluded: true }] };
+const noise = { fields: ["state.noise"], conditions: [is("state.kind", "kalman")] };
+const both = { fields: ["ecu.delay"], conditions: [is("state.kind", "kalman"), is("mpc.preview", "lookahead")] };
+const mpc = { fields: ["mpc"], conditions: [] };
+const LV: Reading = { id: "lv", label: "LV", reads_when: [always, shape, noise, mpc, both] };
+const ECU: Reading = { id: "ecu", label: "ECU", reads_when: [always, shape, mpc, { fields: ["ecu"], conditions: [] }] };
+const PASSIVE: Reading = { id: "passive", label: "Passive", reads_when: [always, shape] };
+const strategies = [LV, ECU, PASSIVE];
+
+const say = (pointer: Pointer, on: readonly string[], scenario = {}, all = strategies) =>
+  unusedText(completed(form, scenario), pointer, { form, strategies: all, on });
+
+it("a field that no shown strategy uses says who does, as strategies come and go", () => {
+  expect(say("/mpc/weight", ["passive"])).toBe("No shown strategy uses this. LV and ECU do.");
+  expect(say("/ecu/bits", ["lv", "passive"])).toBe("No shown strategy uses this. ECU does.");
+  expect(say("/ecu/bits", ["lv", "ecu"])).toBeNull();
+  expect(say("/road/height", ["passive"])).toBeNull();
+  expect(say("/mpc/weight", [])).toBeNull();
+  expect(say("/mpc/weight", ["recording:a"])).toBeNull();
+  const many = ["A", "B", "C", "D", "E"].map((label) => ({ ...ECU, id: label, label }));
+  expect(say("/ecu/bits", ["lv"], {}, [LV, ...many])).toBe("No shown strategy uses this. A, B, C and 2 more do.");
+});
+
+it("a field that other values leave without effect says which, as they change", () => {
+  expect(say("/state/noise", ["lv", "passive"])).toBe("Used only with State: Kalman");
+  expect(say("/state/noise", ["lv"], { state: { kind: "kalman" } })).toBeNull();
+  expect(say("/state/noise", ["passive"], { state: { kind: "kalman" } })).toBe("No shown strategy uses this. LV does.");
+  expect(say("/state/noise", ["passive"])).toBe("No shown strategy uses this.");
+  expect(say("/road/shape", ["passive"], { road: { height: 0 } })).toBe("Without effect with Height: 0");
+  const ours = [LV, PASSIVE];
+  expect(say("/ecu/delay", ["lv"], { mpc: { preview: "none" } }, ours)).toBe(
+    "Used only with Estimation state: Kalman and MPC preview: Lookahead",
+  );
+  expect(say("/ecu/delay", ["lv"], { state: { kind: "kalman" }, mpc: { preview: "none" } }, ours)).toBe(
+    "Used only with MPC preview: Lookahead",
+  );
+});
+
+it("one's own controller uses what the server says that it reads", () => {
+  const own = (reads_when: Reading["reads_when"]): Reading => ({ id: "mine", label: "Mine", reads_when });
+  const asked = [...strategies, own([always, { fields: ["state.noise"], conditions: [] }])];
+  expect(say("/state/noise", ["lv", "mine"], {}, asked)).toBeNull();
+  expect(say("/state/noise", ["lv", "mine"], {}, [...strategies, own([always])])).toBe("Used only with State: Kalman");
+});

@@ -1,0 +1,103 @@
+/** Which strategies use a field of the scenario, as the server says of each, and what to say of a field that none on the screen uses. */
+
+import type { JsonValue, Scenario, Strategy } from "../api/types";
+import { namedLeaves, type Leaf } from "./differences";
+import { dotted, pointerOf } from "./fields";
+import { valueText } from "./limits";
+import { getAt, sameValue, type Pointer } from "./path";
+import { optionOf, optionTitle, type Group } from "./schema";
+
+type Condition = Strategy["reads_when"][number]["conditions"][number];
+/** All of the conditions have to hold. */
+type Need = readonly Condition[];
+/** Of a strategy what is looked at. */
+export type Reading = Pick<Strategy, "id" | "label" | "reads_when">;
+
+/** What a strategy needs to use a field, one of which is enough: a slider asks for it at every step. */
+const NEEDS = new WeakMap<Reading["reads_when"], Map<Pointer, readonly Need[]>>();
+
+function needsOf({ reads_when }: Reading, pointer: Pointer): readonly Need[] {
+  const known = NEEDS.get(reads_when) ?? new Map<Pointer, readonly Need[]>();
+  NEEDS.set(reads_when, known);
+  const found = known.get(pointer);
+  if (found) return found;
+  const name = `${dotted(pointer)}.`;
+  const needs = reads_when
+    .filter(({ fields }) => fields.some((each) => name.startsWith(`${each}.`)))
+    .map(({ conditions }) => conditions);
+  known.set(pointer, needs);
+  return needs;
+}
+
+function holds({ field, values, excluded }: Condition, scenario: Scenario): boolean {
+  const value = getAt(scenario, pointerOf(field)) ?? null;
+  return values.some((each) => sameValue(each, value)) !== excluded;
+}
+
+/** Whether a strategy's result depends on the field in this scenario. */
+export const isUsed = (strategy: Reading, pointer: Pointer, scenario: Scenario): boolean =>
+  needsOf(strategy, pointer).some((need) => need.every((condition) => holds(condition, scenario)));
+
+interface Looked {
+  readonly form: Group;
+  /** Every strategy there is. */
+  readonly strategies: readonly Reading[];
+  /** Ids of those that are shown. */
+  readonly on: readonly string[];
+}
+
+/** What to say of a field, or of several alike, that no shown strategy uses in this scenario; `null` where one does. */
+export function unusedText(
+  scenario: Scenario,
+  pointer: Pointer,
+  { form, strategies, on }: Looked,
+  what: "this" | "these" = "this",
+): string | null {
+  const shown = strategies.filter(({ id }) => on.includes(id));
+  if (shown.length === 0 || shown.some((strategy) => isUsed(strategy, pointer, scenario))) return null;
+  const others = strategies.filter((strategy) => isUsed(strategy, pointer, scenario)).map(({ label }) => label);
+  const nobody = `No shown strategy uses ${what}.`;
+  if (others.length > 0) return `${nobody} ${listed(others)} ${others.length === 1 ? "does" : "do"}.`;
+  const need = missing(shown, pointer, scenario);
+  if (need !== null) return saidOf(need, pointer, form);
+  return strategies.some((strategy) => needsOf(strategy, pointer).length > 0) ? nobody : null;
+}
+
+/** The fewest conditions that fail. */
+function missing(strategies: readonly Reading[], pointer: Pointer, scenario: Scenario): Need | null {
+  const failing = strategies
+    .flatMap((strategy) => needsOf(strategy, pointer))
+    .map((need) => need.filter((condition) => !holds(condition, scenario)));
+  return failing.length === 0 ? null : failing.reduce((one, other) => (other.length < one.length ? other : one));
+}
+
+const MOST_NAMED = 3;
+const [AND, OR] = [new Intl.ListFormat("en-GB"), new Intl.ListFormat("en-GB", { type: "disjunction" })];
+
+function listed(labels: readonly string[]): string {
+  const rest = labels.length - MOST_NAMED;
+  return AND.format(rest > 1 ? [...labels.slice(0, MOST_NAMED), `${rest} more`] : labels);
+}
+
+/** `Used only with State: Kalman`, `Without effect with Height: 0 cm`. */
+function saidOf(need: Need, pointer: Pointer, form: Group): string {
+  const [excluded, wanted] = [need.filter((each) => each.excluded), need.filter((each) => !each.excluded)];
+  const [conditions, begins] = wanted.length > 0 ? [wanted, "Used only with"] : [excluded, "Without effect with"];
+  return `${begins} ${AND.format(conditions.map((each) => conditionText(each, pointer, form)))}`;
+}
+
+function conditionText({ field, values }: Condition, pointer: Pointer, form: Group): string {
+  const place = pointerOf(field);
+  const named = namedLeaves(form).find(({ leaf }) => leaf.pointer === place);
+  if (!named) return `${field}: ${values.join(" or ")}`;
+  const isBeside = parent(place) === parent(pointer);
+  return `${isBeside ? named.leaf.title : named.name}: ${OR.format(values.map((value) => valueIn(named.leaf, value)))}`;
+}
+
+const parent = (pointer: Pointer) => pointer.slice(0, pointer.lastIndexOf("/"));
+
+function valueIn(leaf: Leaf, value: JsonValue): string {
+  if (value === null) return "none";
+  if (leaf.kind === "choice") return optionTitle(optionOf(value));
+  return leaf.kind === "number" && typeof value === "number" ? valueText(leaf, value) : JSON.stringify(value);
+}

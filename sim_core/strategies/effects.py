@@ -1,0 +1,201 @@
+"""With which values of other fields a strategy's result depends on a field of the scenario.
+
+`reads` names everything that a result may depend on. Some of it only matters together with other values, such as a
+sensor's noise with the filter that uses it: `conditional_reads` says with which.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from itertools import chain, product
+from typing import Any, get_args
+
+from sim_core.control.controller import Controller, ScenarioField
+from sim_core.scenario import Speed, dotted
+from sim_core.strategies import STRATEGIES, reads, resolve_speed_plan
+from sim_core.strategies.reads import by_parts
+
+_POLICY = "speed.policy"
+_POLICIES = get_args(Speed.model_fields["policy"].annotation)
+# What only acts on a car that brakes.
+_BRAKING = {"vehicle.cg_height", "vehicle.anti_dive", "vehicle.anti_lift", "vehicle.front_brake_share"}
+_EXPECTED = "expected_offset", "expected_noise"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Condition:
+    """That a field of the scenario has one of some values.
+
+    Attributes:
+        field: Its dotted name.
+        values: Plain JSON values.
+        excluded: Whether it must have none of them instead.
+    """
+
+    field: str
+    values: tuple[Any, ...]
+    excluded: bool = False
+
+    def holds(self, scenario: Mapping[str, Any], changes: Mapping[str, Any] | None = None) -> bool:
+        """Check whether a complete plain scenario, with these fields changed, has such a value."""
+        value = (changes or {}).get(self.field, dotted.value(scenario, self.field))
+        return (value in self.values) is not self.excluded
+
+    def __str__(self) -> str:
+        """Return it as a script would write it: `mpc.preview = lookahead or obstacle`."""
+        values = " or ".join("none" if each is None else str(each) for each in self.values)
+        return f"{self.field} {'other than' if self.excluded else '='} {values}"
+
+
+Alternatives = tuple[tuple[Condition, ...], ...]  # one of them is enough, with all its conditions
+
+_NEVER: Alternatives = ()
+_ALWAYS: Alternatives = ((),)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ConditionalReads:
+    """Fields that a result depends on where all of some conditions hold; a field may be in several of these.
+
+    Attributes:
+        fields: Dotted names of fields and of whole parts.
+        conditions: Without one, the result always depends on them.
+    """
+
+    fields: tuple[str, ...]
+    conditions: tuple[Condition, ...]
+
+
+def conditional_reads(strategy: type[Controller]) -> tuple[ConditionalReads, ...]:
+    """Return everything that a strategy's result may depend on, by the conditions under which it does.
+
+    Args:
+        strategy: The strategy. What a controller of one's own declares itself has no conditions.
+
+    Raises:
+        RidelabError: Its own speed plan is none.
+    """
+    groups: dict[tuple[Condition, ...], list[str]] = {}
+    rules = _rules(strategy)
+    for name, driven in _with_policies(strategy).items():
+        for conditions in _all(driven, rules.get(name, _ALWAYS)):
+            groups.setdefault(conditions, []).append(name)
+    return tuple(
+        ConditionalReads(fields=_in_parts(names), conditions=conditions)
+        for conditions, names in sorted(groups.items(), key=lambda group: len(group[0]))
+    )
+
+
+def _with_policies(strategy: type[Controller]) -> dict[str, Alternatives]:
+    """Name what the strategy reads at any speed policy, each with the policies at which it does."""
+    policies: dict[str, list[str]] = {}
+    # One's own is told the vehicle and may use all of it; an ECU's program is scaled by what braking would do.
+    may_count = strategy.id not in STRATEGIES or strategy.delayed
+    for policy in _POLICIES:
+        idle = set() if may_count or resolve_speed_plan(strategy, policy) == "planned" else _BRAKING
+        for name in chain.from_iterable(map(_leaves, reads(strategy, policy))):
+            if name not in idle:
+                policies.setdefault(name, []).append(policy)
+    return {name: _ALWAYS if len(some) == len(_POLICIES) else _is(_POLICY, *some) for name, some in policies.items()}
+
+
+@cache
+def _leaves(name: str) -> tuple[str, ...]:
+    """Return the fields of a part; a field or an option as it is."""
+    below = [each for each in dotted.scenario_fields() if f"{each}.".startswith(f"{name}.")]
+    return tuple(each for each in below if not each.rpartition(".")[2].isdigit()) or (name,)
+
+
+def _in_parts(names: Sequence[str]) -> tuple[str, ...]:
+    """Return the same with a part's name in place of those of all its fields."""
+    options = [name for name in names if name.startswith(dotted.OWN)]
+    return (*by_parts(frozenset(names)), *options)
+
+
+def _rules(strategy: type[Controller]) -> dict[str, Alternatives]:
+    """Name the fields that need other values, with what they need."""
+    rules = {**_of_road(strategy), **_of_sensors(strategy)}
+    if strategy.id in STRATEGIES:
+        return {**rules, **_of_car(), **_of_ours(strategy)}
+    declared = [each.name for each in strategy.declared.values() if isinstance(each, ScenarioField)]
+    # It may ask for what the sensors measure, noise included, whether there is a filter or not.
+    return {name: need for name, need in rules.items() if name not in (*declared, "road.seed")}
+
+
+def _of_road(strategy: type[Controller]) -> dict[str, Alternatives]:
+    """The road's: a measured one has neither roughness nor seed, but a filter and a trusting preview expect them."""
+    made, filtered, ahead = _is("road.profile", None), _filtered(strategy), _previews(strategy, "lookahead")
+    trusting = _all(ahead, _any(*(_is_not(f"mpc.{name}", 0) for name in _EXPECTED)))
+    noisy = _all(ahead, _is_not("mismatch.preview_noise", 0))
+    return {
+        "road.bump.shape": _is_not("road.bump.height", 0),
+        "road.bump.spacing": _is_not("road.bump.count", 1),
+        "road.roughness": _any(made, filtered, trusting),
+        "road.seed": _any(_all(made, _is_not("road.roughness", 0)), filtered, noisy),
+    }
+
+
+def _of_car() -> dict[str, Alternatives]:
+    links = _any(_is_not("vehicle.anti_dive", 0), _is_not("vehicle.anti_lift", 0))
+    return {
+        "vehicle.bump_stop_stiffness": _is_not("vehicle.bump_stop_clearance", None),
+        "vehicle.front_brake_share": links,
+    }
+
+
+def _of_sensors(strategy: type[Controller]) -> dict[str, Alternatives]:
+    """Those of what the strategy itself previews."""
+    ahead, seen = _previews(strategy, "lookahead"), _previews(strategy, "lookahead", "obstacle")
+    any_preview = _previews(strategy, "wheelbase", "lookahead", "obstacle")
+    of_both = ("preview_offset", "preview_gain", "preview_resolution", "preview_delay")
+    return {
+        **{f"mismatch.{name}": seen for name in of_both},
+        "mismatch.preview_noise": ahead,
+        **{f"mpc.{name}": ahead for name in _EXPECTED},
+        "estimation.knows_preview": _all(_filtered(strategy), any_preview),
+    }
+
+
+def _of_ours(strategy: type[Controller]) -> dict[str, Alternatives]:
+    """Those of our own strategies, whose code is known."""
+    disturbed = _any(*(_is_not(f"hil.{name}", 0) for name in ("noise", "jitter", "packet_loss")))
+    noises = ("acceleration_noise", "deflection_noise", "pitch_rate_noise")
+    return {
+        **{f"estimation.{name}": _filtered(strategy) for name in noises},
+        "lqr.preview_horizon": _previews(strategy, "wheelbase", "lookahead", "obstacle"),
+        "hook.min_damping": _is("hook.semi_active", True),
+        "hook.max_damping": _is("hook.semi_active", True),
+        "hil.seed": disturbed,
+    }
+
+
+def _filtered(strategy: type[Controller]) -> Alternatives:
+    """That its state is estimated: nobody needs that of a passive car."""
+    return _is("estimation.kind", "kalman") if strategy.actuated else _NEVER
+
+
+def _previews(strategy: type[Controller], *modes: str) -> Alternatives:
+    """That the strategy's preview is one of these, by the field of the scenario that it is, or by its class."""
+    preview: object = strategy.preview
+    if isinstance(preview, ScenarioField):
+        return _is(preview.name, *modes)
+    return _ALWAYS if preview in modes or not isinstance(preview, str) else _NEVER
+
+
+def _is(field: str, *values: Any) -> Alternatives:
+    return ((Condition(field=field, values=values),),)
+
+
+def _is_not(field: str, *values: Any) -> Alternatives:
+    return ((Condition(field=field, values=values, excluded=True),),)
+
+
+def _all(*needs: Alternatives) -> Alternatives:
+    """All of several needs: each alternative of one with each of the others."""
+    return tuple(tuple(condition for part in parts for condition in part) for parts in product(*needs))
+
+
+def _any(*needs: Alternatives) -> Alternatives:
+    """One of several needs."""
+    alternatives = tuple(each for need in needs for each in need)
+    return _ALWAYS if () in alternatives else alternatives
