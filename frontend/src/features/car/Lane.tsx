@@ -8,11 +8,12 @@ import type { ResultView } from "../../lab/resultView";
 import { formatNumber } from "../../units/format";
 import classes from "./car.module.css";
 import ui from "../../ui/ui.module.css";
+import { Road, Under } from "./Road";
 import {
   bodyPath,
   windowPath,
   poseAt,
-  roadProfile,
+  roadParts,
   type CarPose,
   type StaticLoads,
   restingCursor,
@@ -27,7 +28,6 @@ import {
   shiftInto,
   type DrawnAxle,
   type DrawnCar,
-  type SeenRoad,
 } from "./geometry";
 
 interface Props {
@@ -47,6 +47,8 @@ export function Lane({ resultView, strategy, width, exaggeration }: Props) {
   const { metre, rise } = scale;
   const path = useMemo(() => bodyPath(size, metre), [size, metre]);
   const windows = useMemo(() => windowPath(size, metre), [size, metre]);
+  const series = resultView.series[strategy.id];
+  const roads = useMemo(() => (series ? roadParts(series, size) : []), [series, size]);
 
   const pose = poseOf(resultView, strategy.id, at);
   if (!pose || width === 0) return <div className={classes.lane} style={{ height: HEIGHT }} />;
@@ -64,9 +66,13 @@ export function Lane({ resultView, strategy, width, exaggeration }: Props) {
         aria-label={`${strategy.label} at ${formatNumber(pose.position, 4)} m`}
       >
         <g transform={`translate(0 ${shiftInto(car, scale, roofOf(size))})`}>
-          <g transform={`translate(${scale.frontX - pose.position * metre} ${GROUND})`}>
-            <Road {...{ resultView, strategy, metre, rise, seen }} wheelbase={size.wheelbase} />
-          </g>
+          {roads.map((part) => (
+            <Under key={part.under} {...{ part, car, width }}>
+              <g transform={`translate(${scale.frontX - pose.position * metre} ${GROUND})`}>
+                <Road {...{ part, metre, rise, seen }} colour={strategy.colour} />
+              </g>
+            </Under>
+          ))}
           {others.map(({ id, colour }) => {
             const other = poseOf(resultView, id, at);
             return (
@@ -135,51 +141,6 @@ function Caption({ strategy, pose }: { readonly strategy: Strategy; readonly pos
         </Box>
       )}
     </Group>
-  );
-}
-
-interface RoadProps extends Pick<Props, "resultView" | "strategy"> {
-  readonly wheelbase: number;
-  readonly metre: number;
-  readonly rise: number;
-  readonly seen: SeenRoad | null;
-}
-
-/** The road, and dashed over it where the controller believes it to be. */
-function Road({ resultView, strategy, wheelbase, metre, rise, seen }: RoadProps) {
-  const series = resultView.series[strategy.id];
-  const [points, road] = useMemo(() => {
-    const profile = series ? roadProfile(series, wheelbase) : [];
-    const line = profile.map(([x, z]) => `${(x * metre).toFixed(1)},${(-z * rise).toFixed(2)}`).join(" ");
-    const [start, end] = [profile[0]?.[0] ?? 0, profile.at(-1)?.[0] ?? 0];
-    const drawn = (
-      <>
-        <polygon
-          points={`${start * metre},${3 * HEIGHT} ${line} ${end * metre},${3 * HEIGHT}`}
-          fill="var(--line)"
-          fillOpacity={0.55}
-        />
-        <polyline points={line} fill="none" stroke="var(--muted)" strokeWidth={2} strokeLinejoin="round" />
-      </>
-    );
-    return [line, drawn] as const;
-  }, [series, wheelbase, metre, rise]);
-  return (
-    <>
-      {road}
-      {seen && (
-        <polyline
-          data-seen
-          points={points}
-          transform={`translate(${seen.shift * metre} 0) scale(1 ${seen.gain})`}
-          fill="none"
-          stroke={strategy.colour}
-          strokeWidth={1.6}
-          strokeDasharray="5 4"
-          vectorEffect="non-scaling-stroke"
-        />
-      )}
-    </>
   );
 }
 

@@ -3,7 +3,7 @@ import {
   bodyPath,
   windowPath,
   poseAt,
-  roadProfile,
+  roadParts,
   type CarPose,
   dimensionsOf,
   drawnCar,
@@ -33,6 +33,8 @@ const scenario = {
   mpc: { force_limit: 5000 },
 };
 
+const TOGETHER = { ...scenario, road: { rear_axle: "together" } };
+
 describe("the car's pose", () => {
   it("puts a loaded wheel lower over its road and the body a deflection above it", () => {
     const pose = poseAt(series, "distance", 10, scenario, { front: 9000, rear: 4000 });
@@ -53,8 +55,26 @@ describe("the car's pose", () => {
   });
 
   it("takes the road behind the start from the rear axle", () => {
-    expect(roadProfile(series, 3)).toEqual([
+    expect(roadParts(series, { wheelbase: 3, axlesTogether: false })).toEqual([
+      {
+        under: "car",
+        points: [
+          [-3, 0],
+          [0, 0],
+          [10, expect.closeTo(0.1) as number],
+        ],
+      },
+    ]);
+  });
+
+  it("draws each axle's own road where both meet it together", () => {
+    const [rear, front] = roadParts(series, dimensionsOf(TOGETHER, { front: null, rear: null }));
+    expect([rear?.under, front?.under]).toEqual(["rear", "front"]);
+    expect(rear?.points).toEqual([
       [-3, 0],
+      [7, expect.closeTo(0.02) as number],
+    ]);
+    expect(front?.points).toEqual([
       [0, 0],
       [10, expect.closeTo(0.1) as number],
     ]);

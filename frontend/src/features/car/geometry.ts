@@ -66,13 +66,26 @@ export function poseAt(series: Series, axis: Axis, at: number, scenario: Scenari
   return { time, position, speed, front, rear };
 }
 
-/** The road as the wheels met it: the rear axle's before x = 0, the front's from there on. Pairs of x and height. */
-export function roadProfile(series: Series, wheelbase: number): readonly (readonly [number, number])[] {
+/** The road under the whole car, or under one axle where both meet the same road together: pairs of x and height. */
+export interface RoadPart {
+  readonly under: "car" | "front" | "rear";
+  readonly points: readonly (readonly [number, number])[];
+}
+
+/** The road as the wheels met it; of the whole car the rear axle's before x = 0, the front's from there on. */
+export function roadParts(
+  series: Series,
+  { wheelbase, axlesTogether }: Pick<Dimensions, "wheelbase" | "axlesTogether">,
+): readonly RoadPart[] {
   const { position, front_road: front, rear_road: rear } = series;
   if (!position || !front || !rear) return [];
-  const behind = Array.from(position, (x, i) => [x - wheelbase, rear[i] ?? 0] as const).filter(([x]) => x < 0);
-  const roadPoints = Array.from(position, (x, i) => [x, front[i] ?? 0] as const);
-  return [...behind, ...roadPoints];
+  const underRear = Array.from(position, (x, i) => [x - wheelbase, rear[i] ?? 0] as const);
+  const underFront = Array.from(position, (x, i) => [x, front[i] ?? 0] as const);
+  if (!axlesTogether) return [{ under: "car", points: [...underRear.filter(([x]) => x < 0), ...underFront] }];
+  return [
+    { under: "rear", points: underRear },
+    { under: "front", points: underFront },
+  ];
 }
 
 /** Where a strategy's preview places the road, where that is elsewhere; noise and resolution have no place. */
@@ -121,6 +134,8 @@ export const CLEARANCE = 0.16;
 /** What the scenario says of the car [m, N]. */
 export interface Dimensions {
   readonly wheelbase: number;
+  /** Both axles meet the road at the same instant. */
+  readonly axlesTogether: boolean;
   readonly cgToRear: number;
   readonly cgHeight: number;
   readonly radius: number;
@@ -138,6 +153,7 @@ export function dimensionsOf(scenario: Scenario, loads: StaticLoads): Dimensions
   const compressed = (end: "front" | "rear") => (loads[end] ?? 0) / number(`/vehicle/${end}_tyre_stiffness`, 268_000);
   return {
     wheelbase: number("/vehicle/cg_to_front", 1) + cgToRear,
+    axlesTogether: getAt(scenario, "/road/rear_axle") === "together",
     cgToRear,
     cgHeight: number("/vehicle/cg_height", 0.54),
     isVan: number("/vehicle/cg_height", 0.54) > VAN_CG,
