@@ -236,6 +236,20 @@ def test_presets_and_own_scenarios_are_opened_saved_and_imported(dashboard: Dash
     assert dashboard.stored_run()["scenario"]["road"]["bump"]["height"] == pytest.approx(lowest / 100)
 
 
+def test_the_nearest_reading_of_the_paper_opens_and_its_car_stands_on_each_axles_own_road(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page = dashboard.page
+    page.get_by_role("button", name="Library").click()
+    page.get_by_role("list", name="Presets").get_by_role("button", name="Paper, nearest").click()
+    expect(page.locator("[data-road=rear]").first).to_be_attached()
+    dashboard.expect_curves()
+    assert dashboard.stored_run()["scenario"]["road"]["rear_axle"] == "together"
+    page.get_by_label("Find a field").fill("rear axle")
+    choice = page.locator("[data-pointer='/road/rear_axle']")
+    expect(choice.get_by_role("combobox", name="Rear axle")).to_have_value("together")
+    expect(choice.get_by_role("link", name="the paper's equations name no delay")).to_be_visible()
+
+
 @pytest.mark.thorough
 def test_baseline_and_strategies_are_chosen_by_clicks(dashboard: Dashboard) -> None:
     dashboard.open()

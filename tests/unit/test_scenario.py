@@ -8,6 +8,7 @@ from pydantic import ValidationError
 from sim_core.scenario import Scenario
 from sim_core.scenario.dotted import with_changes
 from sim_core.scenario.presets import PRESETS
+from sim_core.simulate import simulate
 
 
 def _nested(path: str, value: Any) -> dict[str, Any]:
@@ -129,7 +130,7 @@ def test_a_preset_is_what_its_description_says() -> None:
     for name, fields in said.items():
         assert {field: getattr(bumps[name], field) for field in fields} == fields
     assert PRESETS["watts_hump"].scenario.speed.detection_distance == 60
-    for name in ("watts_hump", "washboard"):
+    for name in ("watts_hump", "washboard", "paper_nearest"):
         assert PRESETS[name].scenario.road.roughness == 256e-6, "class C of ISO 8608"
 
 
@@ -148,3 +149,10 @@ def test_a_smooth_road_is_random_with_noise_jitter_or_losses(path: str, value: A
     smooth = Scenario.model_validate({"road": {"roughness": 0}})
     assert not smooth.is_random
     assert Scenario.model_validate(with_changes(smooth.model_dump(mode="json"), {path: value})).is_random
+
+
+@pytest.mark.parametrize("strategy", ["suspension_only", "lv"])
+def test_no_limit_binds_in_the_nearest_reading_of_the_paper(strategy: str) -> None:
+    result = simulate(PRESETS["paper_nearest"].scenario, strategy)
+    assert result.events["limited_steps"] == 0
+    assert result.stages[-2].end_position == 104, "both axles leave the bump together"
