@@ -8,14 +8,12 @@ from dataclasses import dataclass
 from math import asin, atan, inf, pi
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
+from sim_core.frequency.resolved import NEAREST, distance, refined_maxima, resolving_grid, zeros
 from sim_core.frequency.sampled_loop import ComplexArray, SampledLoop
 
-_POINTS = 240  # per loop; between them crossings are searched for
-_LOWEST = 0.02  # [Hz]
-_STEPS = 12  # of that search, which takes an interval of the grid to rounding
+_CROSSED = 4  # curves whose zeros are looked for
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,22 +53,29 @@ class Margins:
 
 
 def margins(loop: SampledLoop) -> Margins:
-    """Of a stable loop."""
-    top = 0.5 / loop.step
-    grid = 2 * pi * np.append(np.geomspace(_LOWEST, top, _POINTS)[:-1], top)
-    M = transfer(loop, grid)
-    sensitivity = np.asarray(np.linalg.inv(np.eye(2) - M), dtype=np.complex128)
-    largest = float(_structured(sensitivity - np.eye(2) / 2).max())
-    disk = 1 / largest
-    curve, crossing = _crossings(loop, grid, M)
-    ends = _single(np.concatenate([transfer(loop, np.zeros(1)), M[-1:]])).real  # real at both ends
-    at_crossing = _single(transfer(loop, crossing))
+    """Return the margins of a stable loop, each at the frequency where it is least, however narrow the peak there."""
+
+    def curves(angle: FloatArray) -> FloatArray:
+        return _curves(loop, angle)
+
+    def both_signs(angle: FloatArray) -> FloatArray:
+        values = curves(angle)
+        return np.concatenate([values, -values[:_CROSSED]])
+
+    poles = _poles(loop)
+    grid = resolving_grid(poles)
+    values = both_signs(grid)
+    level = np.zeros(len(values))
+    level[_CROSSED] = values[_CROSSED].max()
+    grid = np.sort(np.append(grid, refined_maxima(both_signs, grid, values, level)))
+    values = curves(grid)
+    crossed, crossing = zeros(curves, grid, values[:_CROSSED])
+    largest = max(values[_CROSSED].max(), curves(crossing)[_CROSSED].max(initial=0.0))
+    disk = float(1 / largest)
+    ends = np.array([0, pi])
+    ends = ends[distance(ends, poles) > NEAREST]  # every response is real there
     front, rear = (
-        _margin(
-            np.append(at_crossing[axle, curve == 2 * axle].real, ends[axle]),
-            at_crossing[axle, curve == 2 * axle + 1],
-            crossing[curve == 2 * axle + 1],
-        )
+        _loop_margin(loop, axle, np.append(crossing[crossed == 2 * axle], ends), crossing[crossed == 2 * axle + 1])
         for axle in (0, 1)
     )
     return Margins(
@@ -82,11 +87,21 @@ def margins(loop: SampledLoop) -> Margins:
     )
 
 
-def transfer(loop: SampledLoop, omega: FloatArray) -> ComplexArray:
-    """From the command at the actuators to that of the controller (frequencies, 2, 2); 1 is the critical point."""
-    z = np.exp(1j * omega * loop.step)
+def transfer(loop: SampledLoop, angle: FloatArray) -> ComplexArray:
+    """Return M, from the command at the actuators to that of the controller, at z = exp(j·angle) (angles, 2, 2).
+
+    The critical point is 1.
+    """
     inner = loop.A + loop.C @ loop.K
-    return np.asarray(loop.K @ np.linalg.solve(z[:, None, None] * np.eye(len(inner)) - inner, loop.B.astype(complex)))
+    resolvent = np.exp(1j * angle)[:, None, None] * np.eye(len(inner)) - inner
+    return np.asarray(loop.K @ np.linalg.solve(resolvent, loop.B.astype(complex)))
+
+
+def _poles(loop: SampledLoop) -> ComplexArray:
+    """Return the poles of `transfer`, of either axle's loop gain and of the sensitivity (4 n,)."""
+    front, rear = (np.outer(loop.B[:, axle], loop.K[axle]) for axle in (0, 1))
+    opened = loop.A + loop.C @ loop.K
+    return np.linalg.eigvals(np.stack([opened, opened + front, opened + rear, loop.closed])).astype(complex).ravel()
 
 
 def _single(M: ComplexArray) -> ComplexArray:
@@ -96,40 +111,29 @@ def _single(M: ComplexArray) -> ComplexArray:
     return np.asarray([-(front + around / (1 - rear)), -(rear + around / (1 - front))])
 
 
-def _margin(at_real: FloatArray, at_unit: ComplexArray, unit: FloatArray) -> LoopMargin:
-    """By a loop's gains where they are real (m,), and where their magnitude is 1 (n,), at those angular frequencies."""
-    factors = -1 / at_real[at_real < 0]
-    phases = 2 * np.abs(np.array([asin(min(abs(1 + each) / 2, 1)) for each in at_unit]))
-    lags = np.mod(np.angle(at_unit) + pi, 2 * pi)
+def _loop_margin(loop: SampledLoop, axle: int, real: FloatArray, unit: FloatArray) -> LoopMargin:
+    """Return an axle's margin by the angles [rad] where its gain is real (m,) and where that is 1 in magnitude (n,)."""
+    at_real, at_unit = (_single(transfer(loop, each))[axle] for each in (real, unit))
+    factors = -1 / at_real.real[at_real.real < 0]
+    phases = [2 * asin(min(abs(1 + each) / 2, 1)) for each in at_unit]
+    delays = np.mod(np.angle(at_unit) + pi, 2 * pi) / unit * loop.step
     return LoopMargin(
         gain=min(factors[factors > 1].tolist(), default=None),
         gain_reduction=max(factors[factors < 1].tolist(), default=None),
-        phase=min(phases.tolist(), default=None),
-        delay=min((lags / unit).tolist(), default=None),
+        phase=min(phases, default=None),
+        delay=min(delays.tolist(), default=None),
     )
 
 
-def _crossings(loop: SampledLoop, grid: FloatArray, M: ComplexArray) -> tuple[NDArray[np.intp], FloatArray]:
-    """Where the curves of `_curves` change their signs: of which curve (n,), at which angular frequency (n,).
+def _curves(loop: SampledLoop, angle: FloatArray) -> FloatArray:
+    """Return what decides the margins, at each angle [rad] (5, angles).
 
-    All are searched for together by the Illinois method, regula falsi whose end that stays counts half (Dowell and
-    Jarratt, BIT 11, 168-174, 1971).
+    Of the front axle's loop gain, then of the rear one's: imaginary part over sin(angle), and magnitude - 1; then the
+    disk's 1 / α. The first `_CROSSED` matter where they are zero, the last one where it is greatest.
     """
-    values = _curves(M)
-    curve, change = np.nonzero(np.sign(values[:, 1:]) * np.sign(values[:, :-1]) < 0)
-    low, high, at_low, at_high = grid[change], grid[change + 1], values[curve, change], values[curve, change + 1]
-    for _ in range(_STEPS if len(low) else 0):
-        between = high - at_high * (high - low) / (at_high - at_low)
-        value = _curves(transfer(loop, between))[curve, np.arange(len(curve))]
-        stays = np.sign(value) == np.sign(at_high)
-        low, at_low = np.where(stays, low, high), np.where(stays, at_low / 2, at_high)
-        high, at_high = between, value
-    return curve, high
-
-
-def _curves(M: ComplexArray) -> FloatArray:
-    """Imaginary part and magnitude - 1 of the front axle's loop gain, then of the rear one's (4, frequencies)."""
-    return np.asarray([curve for gain in _single(M) for curve in (gain.imag, np.abs(gain) - 1)])
+    M = transfer(loop, angle)
+    disk = _structured(np.asarray(np.linalg.inv(np.eye(2) - M) - np.eye(2) / 2, dtype=np.complex128))
+    return np.asarray([*(c for gain in _single(M) for c in (gain.imag / np.sin(angle), np.abs(gain) - 1)), disk])
 
 
 def _structured(M: ComplexArray) -> FloatArray:

@@ -9,7 +9,7 @@ signal of the linear car.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import pi
+from math import inf, pi
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from sim_core.blas import one_thread
 from sim_core.control.controller import Controller
 from sim_core.errors import RidelabError
 from sim_core.frequency.margins import Margins, margins
+from sim_core.frequency.resolved import divided
 from sim_core.frequency.sampled_loop import (
     ComplexArray,
     NotLinearError,
@@ -38,7 +39,7 @@ from sim_core.vehicle.plant import continuous, plant
 RESPONSES = OUTPUTS
 BANDS = ((1.0, 2.0), (4.0, 8.0), (10.0, 12.0))  # body, the passengers' most sensitive range, wheels [Hz]
 DEFAULT_FREQUENCIES = tuple(np.geomspace(0.3, 30, 200).tolist())
-_NODES, _NODE_WEIGHTS = gauss_legendre(24)  # in each band
+_NODES, _NODE_WEIGHTS = gauss_legendre(24)  # in each part of a band
 NEGLIGIBLE = 1e-6  # a mode with a smaller eigenvalue has died out after one control step
 
 
@@ -127,8 +128,8 @@ def frequency_response(
     own = modes(loop.closed, loop.step)
     if np.abs(np.linalg.eigvals(loop.closed)).max() >= 1:
         return FrequencyResult(stage=stage, speed=speed, modes=own, reason="The loop is unstable: no motion is steady")
-    of_bands = [(low + high) / 2 + (high - low) / 2 * _NODES for low, high in BANDS]
-    together = np.concatenate([np.asarray(frequencies, dtype=np.float64), *of_bands])
+    nodes, weights = _band_nodes(loop)
+    together = np.concatenate([np.asarray(frequencies, dtype=np.float64), nodes])
     every = dict(zip(RESPONSES, _responses(loop, 2 * pi * together).T, strict=True))
     count, judged = len(frequencies), None
     if run.controller.actuated:
@@ -140,7 +141,7 @@ def frequency_response(
         psd = {name: np.abs(every[name]) ** 2 * density for name in outputs}
         if "body_acceleration" in psd:
             psd["weighted_body_acceleration"] = psd["body_acceleration"] * wk_gain(together) ** 2
-        bands = {name: _rms(values[count:]) for name, values in psd.items()}
+        bands = {name: np.sqrt(weights @ values[count:]) for name, values in psd.items()}
         psd = {name: values[:count] for name, values in psd.items()}
     responses = {name: every[name][:count] for name in outputs}
     return FrequencyResult(
@@ -219,7 +220,18 @@ def _road_density(scenario: Scenario, frequencies: FloatArray, speed: float) -> 
     return np.asarray(density)
 
 
-def _rms(values: FloatArray) -> FloatArray:
-    """Of a spectrum at the nodes of each band, the RMS in it (3,)."""
-    means = values.reshape(len(BANDS), len(_NODES)) @ _NODE_WEIGHTS / 2
-    return np.asarray(np.sqrt(means * [high - low for low, high in BANDS]))
+def _band_nodes(loop: SampledLoop) -> tuple[FloatArray, FloatArray]:
+    """Return frequencies [Hz] (n,) and weights [Hz] (bands, n) whose sums are integrals of spectra over each band.
+
+    A band is divided until none of its parts is longer than 1.5 times the distance from its middle to the loop's
+    nearest pole: Gauss's formula then resolves a peak, however weakly damped it is.
+    """
+    eigenvalues = np.linalg.eigvals(loop.closed).astype(np.complex128)
+    poles = np.log(eigenvalues[np.abs(eigenvalues) > NEGLIGIBLE]) / (2j * pi * loop.step)  # [Hz]
+    nodes, weights = [], []
+    for band, edges in enumerate(BANDS):
+        parts = divided(np.array(edges), lambda f: 1.5 * np.abs(f[:, None] - poles).min(axis=1, initial=inf))
+        half = np.diff(parts)[:, None] / 2
+        nodes.append((parts[:-1, None] + half * (1 + _NODES)).ravel())
+        weights.append(np.outer(np.arange(len(BANDS)) == band, half * _NODE_WEIGHTS))
+    return np.concatenate(nodes), np.hstack(weights)

@@ -1,15 +1,14 @@
-"""Frequency responses: against sine roads that are driven, against python-control, and against what margins promise."""
+"""Frequency responses: against sine roads that are driven, and against python-control."""
 
 from math import pi
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
-from scipy.signal import cont2discrete, zpk2ss
+from scipy.linalg import matrix_balance
 
 from sim_core import Controller, FloatArray, LinearLaw, Scenario, Seen, Setup
-from sim_core.frequency.margins import margins, transfer
+from sim_core.frequency.margins import transfer
 from sim_core.frequency.responses import BANDS, RESPONSES, _modes, frequency_response
 from sim_core.frequency.sampled_loop import SampledLoop, sampled_loop, stage_law
 from sim_core.frequency.stability import least_damping
@@ -133,6 +132,23 @@ def test_a_swept_sine_gives_the_table_of_bands(strategy: str, parts: dict[str, A
             assert rms == pytest.approx(there(table.bands)[name][band], rel=0.005), (name, first, last)
 
 
+WEAKLY_DAMPED = [
+    ("passive", {"vehicle": {"front_damping": 10, "rear_damping": 10}}),
+    ("groundhook", {"vehicle": {"front_damping": 500, "rear_damping": 500}, "hook": {"groundhook_damping": 4000}}),
+]
+
+
+@pytest.mark.parametrize(("strategy", "parts"), WEAKLY_DAMPED)
+def test_the_table_of_bands_has_all_of_a_narrow_peak(strategy: str, parts: dict[str, Any]) -> None:
+    """Within 1e-6 of the trapezoidal rule in steps of a hundredth of the narrowest peak's width."""
+    scenario, (low, high) = at_one_speed(**parts), BANDS[0]
+    fine = np.linspace(low, high, 50_001)
+    result = frequency_response(scenario, strategy, fine.tolist())
+    for name, density in there(result.psd).items():
+        rms = np.sqrt(np.trapezoid(density, fine))
+        assert there(result.bands)[name][0] == pytest.approx(rms, rel=1e-6), name
+
+
 def loop_of(strategy: str, **parts: Any) -> SampledLoop:
     run = prepare(at_one_speed(**parts), strategy)
     return sampled_loop(run, stage_law(run, "cruise"), run.scenario.real_vehicle, SPEED)
@@ -149,13 +165,14 @@ def test_modes_are_those_that_decide_stability(strategy: str, parts: dict[str, A
 
 @pytest.mark.parametrize(("strategy", "parts"), CASES[1:])
 def test_python_control_has_the_same_loop(strategy: str, parts: dict[str, Any]) -> None:
-    """1e-9 of the greatest gain: both solve the same equations in double precision."""
+    """1e-9 of the greatest gain: both solve the same equations in double precision, which SLICOT wants balanced."""
     control = pytest.importorskip("control", reason="make development installs it")
     loop = loop_of(strategy, **parts)
-    broken = control.ss(loop.A + loop.C @ loop.K, loop.B, loop.K, np.zeros((2, 2)), loop.step)
+    balanced, scale = matrix_balance(loop.A + loop.C @ loop.K, permute=False)
+    broken = control.ss(balanced, np.linalg.solve(scale, loop.B), loop.K @ scale, np.zeros((2, 2)), loop.step)
     omega = 2 * pi * np.geomspace(0.1, 45, 50)
     theirs = np.moveaxis(control.frequency_response(broken, omega).complex, 2, 0)
-    np.testing.assert_allclose(transfer(loop, omega), theirs, atol=1e-9 * np.abs(theirs).max())
+    np.testing.assert_allclose(transfer(loop, omega * loop.step), theirs, atol=1e-9 * np.abs(theirs).max())
 
 
 @pytest.mark.parametrize("strategy", ["lqr", "skyhook", "passive"])
@@ -182,29 +199,6 @@ def test_python_control_has_the_same_responses(strategy: str) -> None:
         np.testing.assert_allclose(ours[name], expected, atol=1e-9 * np.abs(expected).max())
 
 
-@pytest.mark.parametrize(("strategy", "parts"), CASES[1:])
-def test_the_disk_margin_is_where_a_worst_change_of_both_loops_meets_instability(
-    strategy: str, parts: dict[str, Any]
-) -> None:
-    """Within it none of many random changes of both gains makes the loop unstable; at a loop's own margin one does."""
-    loop = loop_of(strategy, **parts)
-    judged, generator = margins(loop), np.random.default_rng(1)
-    inside = np.exp(generator.uniform(-1, 1, (200, 2)) * np.log(0.999 * min(judged.disk_gain, 100.0)))
-    assert max(largest(loop, change) for change in inside) < 1
-    for axle, one in enumerate((judged.front, judged.rear)):
-        for bound in (one.gain, one.gain_reduction):
-            if bound is not None:
-                assert max(bound, 1 / bound) >= judged.disk_gain
-                assert largest(loop, on_axle(axle, bound**0.999)) < 1 < largest(loop, on_axle(axle, bound**1.001))
-        if one.phase is not None:
-            assert one.phase >= judged.disk_phase
-            within, beyond = (
-                max(largest(loop, on_axle(axle, np.exp(sign * 1j * share * one.phase))) for sign in (-1, 1))
-                for share in (0.999, 1.001)
-            )
-            assert within < 1 < beyond
-
-
 @pytest.mark.parametrize(
     ("policy", "stage", "expected"), [("planned", "bump", 5), ("planned", "cruise", 15), ("constant", "bump", 15)]
 )
@@ -218,39 +212,6 @@ def test_who_brakes_for_the_bump_meets_it_at_the_target_speed(policy: Any, stage
 def test_a_slow_pair_of_poles_is_a_mode_and_an_integrator_is_none() -> None:
     (mode,) = _modes(np.array([0, -0.3 + 0.4j, -0.3 - 0.4j]))
     assert (mode.natural_frequency, mode.damping_ratio) == pytest.approx((0.5 / (2 * pi), 0.6))
-
-
-def test_of_two_smaller_gains_that_meet_instability_the_nearer_one_is_the_margin() -> None:
-    """A front loop that is stable with a ten thousandth of its gain too, and not in between."""
-    continuous = zpk2ss([-10, -10], [-0.01, -1, -1, -300, -300], 1e7)
-    A, B, C, _, step = cont2discrete(continuous, 1e-3)
-    nothing = np.zeros((5, 1))
-    loop: Any = SimpleNamespace(
-        A=A, B=np.hstack([B, nothing]), C=np.zeros((5, 2)), K=-np.vstack([C, nothing.T]), step=step
-    )
-    bound = there(margins(loop).front.gain_reduction)
-    assert [largest(loop, on_axle(0, factor)) < 1 for factor in (1, bound * 1.001, bound / 1.001, 1e-4)] == [
-        *(True, True, False, True),
-    ]
-
-
-def test_the_disk_margin_of_two_delayed_gains() -> None:
-    """k / z is nearest to -1 at z = -1, where its gain meets instability: the disk's factor is the smaller 1 / k."""
-    nothing = np.zeros((2, 2))
-    loop: Any = SimpleNamespace(A=nothing, B=np.eye(2), C=nothing, K=-np.diag([0.5, 0.8]), step=1e-3)
-    judged = margins(loop)
-    assert (judged.front.gain, judged.rear.gain, judged.disk_gain) == pytest.approx((2, 1.25, 1.25))
-    assert (judged.disk, judged.disk_phase) == pytest.approx((2 / 9, 2 * np.arctan(1 / 9)))
-
-
-def on_axle(axle: int, factor: complex) -> Any:
-    change = np.ones(2, dtype=np.complex128)
-    change[axle] = factor
-    return change
-
-
-def largest(loop: SampledLoop, change: Any) -> float:
-    return float(np.abs(np.linalg.eigvals(loop.A + (loop.C + loop.B * change) @ loop.K)).max())
 
 
 class Reacts(Controller):
