@@ -2,6 +2,7 @@
 
 import inspect
 import re
+from typing import Self
 
 import numpy as np
 
@@ -13,8 +14,10 @@ from sim_core.errors import ForceError, RidelabError
 from sim_core.loop.closed_loop import checked_force
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Road, Scenario
+from sim_core.scenario.access import accessed
 from sim_core.simulate import simulate
-from sim_core.strategies import STRATEGIES, make_controller, resolve_speed_plan, strategy_named
+from sim_core.strategies import STRATEGIES, make_controller, reads_in, resolve_speed_plan, strategy_named
+from sim_core.strategies.reads import CLASS_VALUES, dependencies, is_within
 from sim_core.vehicle.model import SemiActiveDampers
 
 _SHORT = Scenario(road=Road(length=60, bump=Bump(start=30)))
@@ -61,12 +64,11 @@ def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> li
     try:
         instance = make_controller(controller)
         kind = type(instance)
-        speed = scenario.speed.model_copy(update={"policy": resolve_speed_plan(kind, scenario.speed.policy)})
-        scenario = scenario.model_copy(update={"speed": speed})
         first, again = simulate(scenario, instance), simulate(scenario, instance)
         other = simulate(scenario, controller) if isinstance(controller, type) else first
         has_both = kind.linear_law is not Controller.linear_law and kind.force is not Controller.force
-        by_force = simulate(scenario, _ByForce(instance)) if has_both and not instance.delayed else first
+        by_force = simulate(scenario, _by_force(instance)) if has_both and not instance.delayed else first
+        undeclared = undeclared_reads(scenario, controller)
     except (Exception, SystemExit) as error:  # noqa: BLE001 - of anybody's code
         return [failure(error, controller)]
     if first.summary() != other.summary():
@@ -80,11 +82,32 @@ def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> li
         return ["It says that it has no actuators, and gives a force"]
     if not _close(first, by_force):
         return ["force and linear_law give different forces where no limit binds"]
-    return []
+    return [
+        f"It looks at {name} of the scenario, which is none of its fields: where that changes, stored results stay as "
+        f'they are; make it a field by scenario_field("{name}")'
+        for name in undeclared
+    ]
+
+
+def undeclared_reads(scenario: Scenario, controller: type[Controller] | Controller) -> list[str]:
+    """Return the scenario's fields that a drive looks at, and that its result is not known to depend on.
+
+    Raises:
+        RidelabError: The run fails, as in `simulate`.
+    """
+    kind = controller if isinstance(controller, type) else type(controller)
+    _, looked_at = accessed(scenario, lambda recording: simulate(recording, controller))
+    known: tuple[str, ...] = reads_in(scenario, kind)
+    if isinstance(controller, Controller):  # an object may be given another preview than its class has
+        plan = resolve_speed_plan(kind, scenario.speed.policy)
+        known += dependencies(kind, plan, controller.for_scenario(scenario).preview)
+    return sorted(name for name in looked_at - {"speed.policy"} if not any(is_within(name, each) for each in known))
 
 
 def declaration_faults(kind: type[Controller]) -> list[str]:
     """What is wrong with its id, label, description and fields."""
+    if taken := [name for name in kind.declared if not _may_be_declared(name)]:
+        return [f"{name}: every controller has something of that name: call the option otherwise" for name in taken]
     wrong = []
     name: object = kind.id  # a visitor's class may hold anything
     label: object = kind.label
@@ -107,8 +130,14 @@ def declaration_faults(kind: type[Controller]) -> list[str]:
             else:
                 scenario_value(Scenario(), field.name)
         except RidelabError as error:
-            wrong.append(f"{declared}: {error.message}")
+            wrong.append(error.message if isinstance(field, Option) else f"{declared}: {error.message}")
     return wrong
+
+
+def _may_be_declared(name: str) -> bool:
+    """Check whether an option or a scenario's field may have that name: it takes the place of nothing else."""
+    own_names = {*vars(Controller), *vars(Controller)["__annotations__"]} - {"preview", "prediction_horizon"}
+    return name not in own_names and not name.startswith("_")
 
 
 def failure(error: BaseException, controller: type[Controller] | Controller) -> str:
@@ -122,15 +151,19 @@ def failure(error: BaseException, controller: type[Controller] | Controller) -> 
     return said_by(error, file)
 
 
-class _ByForce(Controller):
-    """Another controller, asked in each step although it has a law."""
+def _by_force(other: Controller) -> Controller:
+    """Return another controller that is driven alike, but asked in each step although it has a law."""
+    kind: type[_ByForce] = type("_ByForce", (_ByForce,), {name: getattr(other, name) for name in CLASS_VALUES})
+    return kind(other)
 
+
+class _ByForce(Controller):
     def __init__(self, other: Controller) -> None:
         super().__init__()
         self._other = other
 
-    def for_scenario(self, scenario: Scenario) -> "_ByForce":
-        ready = _ByForce(self._other.for_scenario(scenario))
+    def for_scenario(self, scenario: Scenario) -> Self:
+        ready = type(self)(self._other.for_scenario(scenario))
         ready.preview, ready.prediction_horizon = ready._other.preview, ready._other.preview_steps
         return ready
 

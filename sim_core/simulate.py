@@ -4,7 +4,7 @@ from sim_core.blas import one_thread
 from sim_core.control.controller import Controller
 from sim_core.errors import RidelabError
 from sim_core.loop.excitation import excite, step_sizes
-from sim_core.loop.run import Run
+from sim_core.loop.run import Run, requested_preview
 from sim_core.metrics.evaluate import evaluate
 from sim_core.metrics.recorder import make_recorder
 from sim_core.metrics.windows import windows_of
@@ -12,7 +12,7 @@ from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Road, Scenario
 from sim_core.speed.profile import make_speed_profile
 from sim_core.speed.stages import segments, spans
-from sim_core.strategies import make_controller, resolve_speed_plan
+from sim_core.strategies import controller_for, resolve_speed_plan
 
 _ANY_ROAD = Road(length=30, bump=Bump(start=20))
 
@@ -59,14 +59,15 @@ def prepare(scenario: Scenario, strategy: str | type[Controller] | Controller) -
 
     Raises:
         UnknownNameError: No such strategy.
-        RidelabError: An argument is of another type.
+        RidelabError: An argument is of another type, or the controller asks for no preview that there is.
     """
     if not isinstance(scenario, Scenario):
         raise RidelabError(
             "A scenario is a sim_core.Scenario: Scenario.model_validate makes one of plain values, "
             "sim_core.scenario.presets.preset of a preset's name"
         )
-    controller = make_controller(strategy).for_scenario(scenario)
+    controller = controller_for(strategy, scenario)
+    preview, preview_steps = requested_preview(controller)
     plan = resolve_speed_plan(type(controller), scenario.speed.policy)
     speed_profile = make_speed_profile(scenario, plan)
     steps, stages = step_sizes(scenario, controller, plan), spans(scenario, plan, speed_profile)
@@ -74,6 +75,8 @@ def prepare(scenario: Scenario, strategy: str | type[Controller] | Controller) -
     return Run(
         scenario=scenario,
         controller=controller,
+        preview=preview,
+        preview_steps=preview_steps,
         plan=plan,
         speed_profile=speed_profile,
         steps=steps,

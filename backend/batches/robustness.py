@@ -11,8 +11,9 @@ import numpy as np
 from backend.batches.summary_models import RobustnessDefaults, UncertainRange
 from backend.json_types import JsonObject
 from sim_core.catalogue import LIMITS_EXCEEDED, PAPER_METRICS
-from sim_core.scenario import dotted
-from sim_core.strategies import reads, strategies
+from sim_core.scenario import Scenario, dotted
+from sim_core.strategies import reads, reads_in, strategies
+from sim_core.strategies.reads import is_within
 
 SAMPLES = 200
 BASELINE = "lv"
@@ -69,14 +70,18 @@ def sweep(ranges: Mapping[str, Sequence[float]], samples: int, seed: int) -> Jso
     return {"latin_hypercube": {"ranges": {k: list(v) for k, v in ranges.items()}, "samples": samples, "seed": seed}}
 
 
-def fields_read(strategy: str, fields: Sequence[str], scenario: JsonObject) -> list[str]:
-    """The fields that can change the strategy's result; preview errors only where it has preview."""
+def fields_read(strategy: str, fields: Sequence[str], scenario: Scenario) -> list[str]:
+    """The fields that can change the strategy's result; errors of preview only where it has preview.
+
+    Args:
+        strategy: Its id.
+        fields: Those that are varied.
+        scenario: The one that they are varied in.
+    """
     offered = strategies()
     if strategy not in offered:  # another version's, or a file's that is gone
         return list(fields)
-    parts = reads(offered[strategy], str(dotted.value(scenario, "speed.policy")))
-    named = [name for name in fields if any(name == part or name.startswith(f"{part}.") for part in parts)]
-    whose = "lqr.preview" if strategy == "lqr" else "mpc.preview"
-    preview = "lookahead" if whose in fields else dotted.value(scenario, whose)
-    unread = {"lookahead": (), "obstacle": ("mismatch.preview_noise",)}.get(preview, ("mismatch.preview_",))
-    return [name for name in named if not name.startswith(unread)]
+    kind = offered[strategy]
+    varied_preview = any(name.endswith(".preview") for name in fields)
+    parts = reads(kind, scenario.speed.policy) if varied_preview else reads_in(scenario, kind)
+    return [name for name in fields if any(is_within(name, part) for part in parts)]

@@ -116,7 +116,7 @@ class _Gathered:
     ) -> summary.Study:
         """The study of all rows, with the damping and the nominal values that workers computed."""
         changes = [orjson.loads(text) for text in self.changes]
-        scenario = scenario_at(self._batch.request["scenario"], {}, self._batch.schema_version).model_dump(mode="json")
+        scenario = scenario_at(self._batch.request["scenario"], {}, self._batch.schema_version)
         names, fields = self._batch.request["strategies"], self._batch.request["fields"]
         return summary.Study(
             strategies=names,

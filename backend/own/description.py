@@ -11,6 +11,7 @@ from sim_core import Controller, DampingController, EcuController, LinearLaw, Pr
 from sim_core.check_controller import declaration_faults
 from sim_core.control.controller import Option, ScenarioField, option_fields
 from sim_core.controller_files import ControllerFileError
+from sim_core.strategies.reads import effective_preview
 
 LONGEST_LABEL = 80
 _BASES: dict[str, type[Controller]] = {  # the first that it derives from says what its runs cost
@@ -32,7 +33,7 @@ class Description:
         actuated: Whether it has actuators.
         delayed: Whether its commands take effect later.
         linear: Whether it says a linear law.
-        fixed: Of what it sees of the road ahead, what is no field.
+        fixed: Of what it sees of the road ahead, what is no field; where its code decides that, what reads most.
         declared: Its options and scenario fields by name.
         options: JSON Schema of each option.
         files: Further files that it reads.
@@ -66,7 +67,8 @@ def described(controller: type[Controller]) -> Description:
     wrong = declaration_faults(controller)
     if wrong:
         raise ControllerFileError(f"{file}, class {controller.__name__}: {'; '.join(wrong)}")
-    preview_options = ("preview", "prediction_horizon")
+    made = controller()
+    fixed = {"preview": effective_preview(controller), "prediction_horizon": made.preview_steps}
     return Description(
         id=controller.id,
         label=" ".join(controller.label.split())[:LONGEST_LABEL],
@@ -76,7 +78,7 @@ def described(controller: type[Controller]) -> Description:
         actuated=bool(controller.actuated),
         delayed=bool(controller.delayed),
         linear=controller.linear_law is not Controller.linear_law,
-        fixed={name: getattr(controller, name) for name in preview_options if name not in controller.declared},
+        fixed={name: value for name, value in fixed.items() if name not in controller.declared},
         declared=dict(controller.declared),
         options={name: _schema(controller, name, each) for name, each in controller.options().items()},
         files=tuple(controller.files),

@@ -9,7 +9,6 @@ class MyLqr(Controller):
     """Minimises the same cost as Ridelab's LQR, with weights of its own."""
 
     id, label = "my_lqr", "My LQR"
-    preview, prediction_horizon = "none", 0
     body: float = option(1.0, ge=0, le=1000, help="Weight of the body's acceleration.")
     pitch: float = option(1.0, ge=0, le=1000, help="Weight of the pitch acceleration.")
     tyres: float = option(1.0, ge=0, le=1000, help="Weight of the tyre loads.")

@@ -14,7 +14,6 @@ class NeuralNet(Controller):
     """Two layers with tanh between them, whose weights stand in neural_net.npz."""
 
     id, label = "neural_net", "Neural net"
-    preview, prediction_horizon = "none", 0
     files = ("neural_net.npz",)
     share: float = option(1.0, ge=0, le=1, help="Share of the net's force that is given.")
 

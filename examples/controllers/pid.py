@@ -9,7 +9,6 @@ class DeflectionPid(Controller):
     """Brings each suspension back to its static length by a PID of its own."""
 
     id, label = "deflection_pid", "PID on deflections"
-    preview, prediction_horizon = "none", 0
     proportional: float = option(2000.0, unit="N/m", ge=0, le=50_000, help="Force per deflection.")
     integral: float = option(500.0, unit="N/(m s)", ge=0, le=50_000, help="Force per deflection and second.")
     derivative: float = option(800.0, unit="N s/m", ge=0, le=10_000, help="Force per deflection's velocity.")

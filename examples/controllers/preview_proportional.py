@@ -2,13 +2,15 @@
 
 import numpy as np
 
-from sim_core import Controller, FloatArray, Seen, Setup, option
+from sim_core import Controller, FloatArray, Preview, Seen, Setup, option, scenario_field
 
 
 class PreviewProportional(Controller):
     """Pulls its wheel up before a rise that it sees coming, and damps the body."""
 
     id, label = "preview_proportional", "Preview, proportional"
+    preview: Preview = scenario_field("mpc.preview")
+    prediction_horizon: int = scenario_field("mpc.prediction_horizon")
     gain: float = option(15_000.0, unit="N/m", ge=0, le=50_000, help="Force per rise of the road.")
     time_ahead: float = option(0.05, unit="s", ge=0, le=0.3, help="How far ahead the road is looked at.")
     damping: float = option(3000.0, unit="N s/m", ge=0, le=20_000, help="Force per velocity of the body.")

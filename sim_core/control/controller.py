@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, TypeAdapter
 
+from sim_core.arrays import FloatArray
 from sim_core.control.law import LinearLaw
 from sim_core.control.plan import Plan
 from sim_core.control.seen import Seen, Setup
@@ -139,8 +140,9 @@ class Controller:
         actuated: Whether there are actuators; False is a passive suspension.
         delayed: Whether its commands take effect when `arrivals` says, not at once.
         preview: What of the road ahead `Seen` reports: none, wheelbase, lookahead or obstacle (`mpc.preview` in
-            docs/reference/scenario.md). By default the scenario's; a controller that does not look ahead sets "none".
-        prediction_horizon: For how many control steps ahead; by default the scenario's, 0 for none.
+            docs/reference/scenario.md). None by default: a controller that looks ahead sets it, to one of these or to
+            a field such as `scenario_field("mpc.preview")`.
+        prediction_horizon: For how many control steps ahead, set together with `preview`.
         report: Counts of the present run, for its events; new at each start.
         declared: Its options and scenario fields by their names.
         files: Names of further files that it reads, such as weights, beside its own one.
@@ -165,8 +167,8 @@ class Controller:
     speed_plan: ClassVar[SpeedPlan] = "planned"
     actuated: ClassVar[bool] = True
     delayed: ClassVar[bool] = False
-    preview: Preview = scenario_field("mpc.preview")
-    prediction_horizon: int = scenario_field("mpc.prediction_horizon")
+    preview: Preview = "none"
+    prediction_horizon: int = 0
     report: Report
     declared: ClassVar[Mapping[str, ScenarioField | Option]] = {}
     files: ClassVar[Sequence[str]] = ()
@@ -205,9 +207,14 @@ class Controller:
         return self.prediction_horizon
 
     def for_scenario(self, scenario: Scenario) -> Self:
-        """A copy for one run: a scenario field has that scenario's value, unless the object was made with one."""
+        """A copy for one run: a scenario field has that scenario's value, unless the object was given one.
+
+        Raises:
+            RidelabError: A field does not take the value that the object or the scenario has for it.
+        """
         ready = copy(self)
         ready.report = Report()
+        ready._own_values = vars(self).get("_own_values", {}) | self._assigned()
         ready._set(scenario)
         return ready
 
@@ -231,7 +238,7 @@ class Controller:
         law = self.linear_law(seen.stage)
         if law is None:
             raise undefined(self, "force(seen) or linear_law(stage)")
-        return law.force(seen.state, seen.previous_force, seen.disturbances)
+        return law_force(law, seen)
 
     def linear_law(self, stage: str) -> LinearLaw | None:
         """The law of a driving stage while no limit binds; None for a controller that is not linear.
@@ -275,18 +282,36 @@ class Controller:
         """Release what `start` took; called once after a run, also after one that failed."""
 
     def _set(self, scenario: Scenario) -> None:
-        own_values = vars(self).get("_own_values", {})  # none where a subclass's __init__ does not call this one's
         options = scenario.own.of(self.id)
         for name in options.keys() - self.options().keys():
             raise RidelabError(f"{self.label} has no such option", field=f"{dotted.OWN}{self.id}.{name}")
-        for name, field in self.declared.items():
-            if name in own_values:
-                value = own_values[name]
-            elif isinstance(field, ScenarioField):
-                value = scenario_value(scenario, field.name)
-            else:
-                value = checked_value(type(self), name, options[name]) if name in options else field.default
-            setattr(self, name, value)
+        self._as_set = {name: field_value(self, name, scenario) for name in self.declared}
+        for name, value in self._as_set.items():
+            setattr(self, name, checked_value(type(self), name, value) if name in options else value)
+
+    def _assigned(self) -> dict[str, Any]:
+        """Return the fields that were assigned since they were set, such as by `controller.damping = 500.0`."""
+        as_set, unset = vars(self).get("_as_set", {}), object()
+        values = {name: vars(self)[name] for name in self.declared if name in vars(self)}
+        changed = {name: value for name, value in values.items() if value is not as_set.get(name, unset)}
+        return {name: checked_value(type(self), name, value) for name, value in changed.items()}
+
+
+def field_value(controller: Controller, name: str, scenario: Scenario) -> Any:
+    """Return the value, not checked, that one of a controller's `declared` fields has in a run of a scenario."""
+    own_values = vars(controller).get("_own_values", {})  # none where a subclass's __init__ does not call this one's
+    field = controller.declared[name]
+    if name in own_values:
+        return own_values[name]
+    if isinstance(field, ScenarioField):
+        return scenario_value(scenario, field.name)
+    return scenario.own.of(controller.id).get(name, field.default)
+
+
+def law_force(law: LinearLaw, seen: Seen) -> FloatArray:
+    """Return a law's forces for what is seen (2,) [N]; one without `preview_gain` needs no preview."""
+    disturbances = None if law.preview_gain is None else seen.disturbances
+    return law.force(seen.state, seen.previous_force, disturbances)
 
 
 def undefined(controller: Controller, methods: str) -> RidelabError:
@@ -327,10 +352,15 @@ def option_fields(kind: type[Controller]) -> Mapping[str, dotted.DottedField]:
     return _option_fields[kind]
 
 
+def option_name(kind: type[Controller], name: str) -> str:
+    """Return the dotted name of a controller's option."""
+    return f"{dotted.OWN}{kind.id}.{name}"
+
+
 def _option_field(kind: type[Controller], name: str, annotation: Any) -> dotted.DottedField:
     option = kind.options()[name]
     return dotted.DottedField(
-        name=f"{dotted.OWN}{kind.id}.{name}",
+        name=option_name(kind, name),
         title=f"{kind.label}: {name.replace('_', ' ')}",
         unit=option.unit.replace(" ", "·"),
         kind=dotted.kind_of(annotation),
@@ -343,7 +373,7 @@ def checked_value(kind: type[Controller], name: str, value: Any) -> Any:
     """A field's value, of its type and within its bounds.
 
     Raises:
-        RidelabError: There is no such field, or it does not take the value.
+        RidelabError: There is no such field, or it does not take the value; the message begins with the field's name.
     """
     field = kind.declared.get(name)
     if field is None:
@@ -354,4 +384,7 @@ def checked_value(kind: type[Controller], name: str, value: Any) -> Any:
     else:
         described = option_fields(kind)[name]
         dotted_name, adapter = described.name, described.adapter
-    return dotted.validated(adapter, value, dotted_name)
+    try:
+        return dotted.validated(adapter, value, dotted_name)
+    except RidelabError as error:
+        raise RidelabError(f"{name}: {error.message}", field=dotted_name) from None

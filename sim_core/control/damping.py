@@ -26,8 +26,6 @@ class DampingController(Controller):
         True
     """
 
-    preview = "none"
-    prediction_horizon = 0
     semi_active: bool = scenario_field("hook.semi_active")
     min_damping: float = scenario_field("hook.min_damping")
     max_damping: float | None = scenario_field("hook.max_damping")

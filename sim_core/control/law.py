@@ -29,7 +29,7 @@ class LinearLaw:
         >>> from sim_core import LinearLaw
         >>> gain = np.zeros((2, 10))
         >>> gain[:, 4] = -1000.0  # against the body's velocity
-        >>> LinearLaw(gain=gain).force(np.array([0, 0, 0, 0, 0.2, 0, 0, 0]), np.zeros(2), np.zeros((3, 0))).tolist()
+        >>> LinearLaw(gain=gain).force(np.array([0, 0, 0, 0, 0.2, 0, 0, 0]), np.zeros(2)).tolist()
         [-200.0, -200.0]
     """
 
@@ -71,13 +71,22 @@ class LinearLaw:
             raise RidelabError("A linear law's preview_gain and limits have columns for as many control steps")
         return LawDesign(gain=np.hstack([self.gain, preview_gain]), limits=limits)
 
-    def force(self, state: FloatArray, previous_force: FloatArray, disturbances: FloatArray) -> FloatArray:
+    def force(
+        self, state: FloatArray, previous_force: FloatArray, disturbances: FloatArray | None = None
+    ) -> FloatArray:
         """The law's forces (2,) [N].
 
         Args:
             state: (8,).
             previous_force: (2,) [N].
-            disturbances: (3, preview_steps).
+            disturbances: As `Seen.disturbances` (3, preview_steps); a law without `preview_gain` needs none.
+
+        Raises:
+            RidelabError: The law has a `preview_gain`, and there are no disturbances.
         """
         force = self.gain[:, :STATES] @ state + self.gain[:, STATES:] @ previous_force
-        return force if self.preview_gain is None else force + self.preview_gain @ disturbances.ravel()
+        if self.preview_gain is None:
+            return force
+        if disturbances is None:
+            raise RidelabError("A linear law with a preview_gain needs the disturbances that it multiplies")
+        return force + self.preview_gain @ disturbances.ravel()

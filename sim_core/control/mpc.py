@@ -12,7 +12,7 @@ from sim_core.control.qp import SOLVERS, Qps
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RidelabError, TooExpensiveError
 from sim_core.kernel.qp import Qp
-from sim_core.scenario import Weights
+from sim_core.scenario import Preview, Weights
 
 _COSTLY_FIELDS = "mpc.control_horizon", "mpc.prediction_horizon", "mpc.sample_time", "road.length"
 
@@ -34,6 +34,8 @@ class PredictiveController(Controller):
         0
     """
 
+    preview: Preview = scenario_field("mpc.preview")
+    prediction_horizon: int = scenario_field("mpc.prediction_horizon")
     control_horizon: int = scenario_field("mpc.control_horizon")
     deflection_weight: float = scenario_field("mpc.deflection_weight")
     force_weight: float = scenario_field("mpc.force_weight")

@@ -7,6 +7,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.control.cost import CostTerms
+from sim_core.errors import RidelabError
 from sim_core.kernel.prepared import DrivenCar
 from sim_core.scenario import Vehicle, Weights
 from sim_core.speed.stages import Segment
@@ -89,6 +90,7 @@ class RunInputs:
         position: Of the front axle (steps,) [m].
         speed: Of the car (steps,) [m/s].
         segments: The control steps of each driving stage.
+        previews: Whether the controller asks for the road ahead, by its `preview`.
         disturbances: `Seen.disturbances` of each control step (3, steps, preview_steps).
         road_height: Of the road under both axles as the preview has it (2, steps) [m].
         noise: Function that gives the noise of the car's own sensors (steps, 4), in the units of what they measure.
@@ -99,6 +101,7 @@ class RunInputs:
     position: FloatArray
     speed: FloatArray
     segments: Sequence[Segment]
+    previews: bool
     disturbances: FloatArray
     road_height: FloatArray
     noise: Callable[[], FloatArray]
@@ -117,12 +120,13 @@ class Seen:
     Example:
         >>> from sim_core import Controller, Scenario, simulate
         >>> class Watcher(Controller):
+        ...     preview, prediction_horizon = "lookahead", 20
         ...     def force(self, seen):
         ...         if seen.step == 0:
         ...             print(seen.stage, seen.state.shape, seen.preview.shape)
         ...         return 0.0, 0.0
         >>> result = simulate(Scenario(), Watcher)
-        cruise (8,) (30, 2)
+        cruise (8,) (20, 2)
     """
 
     _inputs: RunInputs
@@ -182,8 +186,13 @@ class Seen:
 
         Mean vertical velocity of the road under the front and the rear axle [m/s], braking deceleration [m/s^2]. It is
         what `LinearLaw.preview_gain` multiplies; `preview` has the same as heights.
+
+        Raises:
+            RidelabError: The controller does not ask for it, by `preview` and `prediction_horizon`.
         """
         expected: FloatArray = self._inputs.disturbances[:, self.step]
+        if not expected.shape[1]:
+            raise _not_asked_for("disturbances")
         return expected
 
     @property
@@ -191,10 +200,22 @@ class Seen:
         """Road heights under the front and the rear axle at the end of each coming control step (preview_steps, 2) [m].
 
         As the sensors give them; where they give nothing the road goes on level.
+
+        Raises:
+            RidelabError: The controller does not ask for it, by `preview` and `prediction_horizon`.
         """
         inputs = self._inputs
+        if not (inputs.previews and inputs.disturbances.shape[2]):
+            raise _not_asked_for("preview")
         rise = np.cumsum(inputs.disturbances[:2, self.step], axis=1) * inputs.sample_time
         return (inputs.road_height[:, self.step, np.newaxis] + rise).T
 
     def _stage(self, step: int) -> str:
         return next(stage for stage, _, last in self._inputs.segments if step < last)
+
+
+def _not_asked_for(name: str) -> RidelabError:
+    return RidelabError(
+        f"seen.{name} is there for a controller that asks for it: set preview (to wheelbase, lookahead or obstacle, or "
+        'to scenario_field("mpc.preview")) and prediction_horizon (control steps ahead) in the class'
+    )

@@ -13,7 +13,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import STAGES
-from sim_core.control.controller import Controller, option
+from sim_core.control.controller import Controller, option, scenario_field
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RidelabError
 from sim_core.fmi.archive import unpack
@@ -62,8 +62,7 @@ class FmuController(Controller):
         self._inputs = [(numbers, [self._place(name) for name in names]) for numbers, names in _typed(fmu, inputs)]
         self._outputs = [(numbers, [FORCES.index(name) for name in names]) for numbers, names in _typed(fmu, outputs)]
         names = {each.name for each in inputs}
-        self._measures, self._looks = not names.isdisjoint(_MEASURED), any(map(_PREVIEWED.fullmatch, names))
-        self._looks |= not names.isdisjoint(_ROAD)
+        self._measures = not names.isdisjoint(_MEASURED)
         self._sample_time = step
         self._instance = Instance(fmu, self.folder, self.library, self.label)
         self._instance.begin(list(self._options()))
@@ -93,17 +92,19 @@ class FmuController(Controller):
     def _place(self, name: str) -> int:
         """Of an input in what `_values` gives."""
         if previewed := _PREVIEWED.fullmatch(name):
-            horizon = int(self.prediction_horizon)
-            return len(_FIXED) + _PREVIEWED_KINDS.index(previewed[1]) * horizon + int(previewed[2]) - 1
+            kind = _PREVIEWED_KINDS.index(previewed[1])
+            return len(_FIXED) + kind * self.prediction_horizon + int(previewed[2]) - 1
         return _FIXED.index(name)
 
     def _values(self, seen: Seen) -> list[float]:
         stage = tuple(STAGES).index(seen.stage)
         measured = seen.measurement.tolist() if self._measures else [0.0] * len(_MEASURED)
         values = [seen.speed, seen.position, stage, *seen.state.tolist(), *measured]
-        if not self._looks:
+        if not self.prediction_horizon:
             return values
-        heights, expected = seen.preview, seen.disturbances
+        expected, heights = seen.disturbances, np.zeros((self.prediction_horizon, 2))
+        if "preview" in self.declared:
+            heights = seen.preview
         now = heights[0] - expected[:2, 0] * self._sample_time
         return [*values, *now.tolist(), *heights.T.ravel().tolist(), *expected[2].tolist()]
 
@@ -146,9 +147,7 @@ def controllers_of_fmu(path: Path, content: bytes) -> dict[str, type[Controller]
         for each, variable in parameters.items()
     }
     own = next((each.start for each in fmu.variables if each.name == "sample_time"), None)
-    preview: dict[str, Any] = (
-        {"prediction_horizon": horizon} if horizon else {"prediction_horizon": 0, "preview": "none"}
-    )
+    preview = scenario_field("mpc.preview") if any(map(_sees_road, _inputs(fmu))) else "none"
     kind = type(
         "Fmu",
         (FmuController,),
@@ -163,7 +162,8 @@ def controllers_of_fmu(path: Path, content: bytes) -> dict[str, type[Controller]
             "library": library,
             "parameters": parameters,
             "own_sample_time": own,
-            **preview,
+            "preview": preview,
+            "prediction_horizon": horizon,
             **fields,
         },
     )
@@ -186,10 +186,19 @@ def _checked(fmu: Description) -> int:
             previewed = _PREVIEWED.fullmatch(each.name)
             if previewed is None and each.name not in _FIXED:
                 raise RidelabError(f"Its input {each.name[:80]} is none that Ridelab gives; there are {_OFFERED}")
-            horizon = max(horizon, int(previewed[2]) if previewed else 0)
+            horizon = max(horizon, int(previewed[2]) if previewed else int(each.name in _ROAD))
         if (each.causality == "input" or each.name in FORCES) and (each.type not in NUMBERS or each.is_array):
             raise RidelabError(f"Its variable {each.name[:80]} is no single number")
-    return max(horizon, int(any(each.name in _ROAD and each.causality == "input" for each in fmu.variables)))
+    return horizon
+
+
+def _inputs(fmu: Description) -> list[str]:
+    return [each.name for each in fmu.variables if each.causality == "input"]
+
+
+def _sees_road(name: str) -> bool:
+    """Check whether an input is a height of the road, of which there are as many kinds as of preview."""
+    return name in _ROAD or name.startswith(_PREVIEWED_KINDS[:2])
 
 
 def _parameters(fmu: Description) -> dict[str, Variable]:

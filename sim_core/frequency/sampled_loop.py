@@ -195,7 +195,7 @@ def preview_command(loop: SampledLoop, omega: FloatArray) -> ComplexArray:
     controller = loop.run.controller
     ahead = int(predicts(controller))
     gain = loop.law.preview_gain.reshape(FORCES, DISTURBANCES, -1)[:, :2]
-    seen = previewed(loop, controller.preview, omega, gain.shape[2] + ahead)
+    seen = previewed(loop, loop.run.preview, omega, gain.shape[2] + ahead)
     command = np.einsum("uwi,fwi->fu", gain, seen[:, :, ahead:])
     if ahead:
         first = loop.law.gain[:, :STATES] @ discrete(loop.run.scenario.vehicle, loop.step).E[:, :2]

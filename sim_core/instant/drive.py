@@ -66,10 +66,13 @@ class Drive:
         return np.asarray(self.recording.car.sample(row, row + 1, loop)[:, 0, 0])
 
 
-@cached
 def driven(scenario: Scenario, strategy: type[Controller] | Controller) -> Drive:
-    """The drive of a run, which is kept: who looks at one of its instants looks at more."""
+    """Drive a run."""
     run = prepare(scenario, strategy)
     recording = run.drive()
-    forecast = run.forecast(run.controller.preview, run.controller.preview_steps)
+    forecast = run.forecast(run.preview, run.preview_steps)
     return Drive(run=run, recording=recording, inputs=run.inputs(forecast))
+
+
+# For classes that a strategy's id stands for: those that are handed over may change, and their objects too.
+cached_drive = cached(driven)

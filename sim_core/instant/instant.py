@@ -7,15 +7,15 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.blas import one_thread
-from sim_core.control.controller import Controller
+from sim_core.control.controller import Controller, law_force
 from sim_core.control.law import LinearLaw
 from sim_core.control.plan import Limit, Plan
 from sim_core.control.seen import Seen
-from sim_core.instant.drive import Drive, driven
+from sim_core.instant.drive import Drive, cached_drive, driven
 from sim_core.instant.why import why
 from sim_core.kernel.prepared import limit_force
 from sim_core.scenario import Preview, Scenario
-from sim_core.strategies import strategy_named
+from sim_core.strategies import controller_for, strategy_named
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 
 _ACTING = slice(8, 10)  # forces among the recorded signals
@@ -104,7 +104,8 @@ def instant(
 ) -> Instant:
     """What a controller saw and decided in the control step of its run at a position or at a time.
 
-    The run is driven once, and kept while other instants of it are asked for.
+    The run of a strategy that is named by its id is driven once, and cached while other instants of it are asked for.
+    That of a class or an object is driven in each call, because either may have changed.
 
     Args:
         scenario: What is driven.
@@ -125,9 +126,13 @@ def instant(
         >>> [limit.name for limit in at_bump.limits]
         ['front_force', 'rear_force', 'front_deflection', 'rear_deflection']
     """
-    drive = driven(scenario, strategy_named(strategy) if isinstance(strategy, str) else strategy)
+    if isinstance(strategy, str):
+        strategy = strategy_named(strategy)
+        drive = cached_drive(scenario, strategy)
+    else:
+        drive = driven(scenario, strategy)
     seen = drive.seen(drive.step_at(position, time))
-    controller = drive.run.controller.for_scenario(scenario)
+    controller = controller_for(strategy, scenario)
     try:
         controller.start(drive.run.setup())
         law = None if controller.delayed else controller.linear_law(seen.stage)
@@ -142,7 +147,7 @@ def _instant(drive: Drive, seen: Seen, law: LinearLaw | None, plan: Plan | None)
     row, size = step * run.steps.short, drive.recording.car.size
     asked: FloatArray | None = trajectory.asked[step]
     if np.isnan(trajectory.asked[step]).any():
-        asked = None if law is None else law.force(seen.state, seen.previous_force, seen.disturbances)
+        asked = None if law is None else law_force(law, seen)
         asked = asked if plan is None else plan.forces[0]
     lagging = size % STATES
     real = trajectory.loop[row, size - lagging - STATES : size - lagging]
@@ -181,10 +186,10 @@ def _instant(drive: Drive, seen: Seen, law: LinearLaw | None, plan: Plan | None)
 
 
 def _preview(drive: Drive, seen: Seen) -> PreviewedRoad | None:
-    mode, horizon = drive.run.controller.preview, seen.disturbances.shape[1]
-    if mode == "none" or not horizon:
+    mode, horizon = drive.run.preview, drive.run.preview_steps
+    if mode == "none":
         return None
-    time = seen.time + drive.inputs.sample_time * np.arange(1, horizon + 1)
+    time = seen.time + drive.inputs.sample_time * np.arange(1, horizon + 1, dtype=np.float64)
     position = drive.run.speed_profile.at(time)[0]
     axles = np.stack([position, position - drive.run.scenario.rear_axle_offset], axis=1)
     real = drive.run.excitation.surface.height(axles)

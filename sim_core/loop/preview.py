@@ -54,7 +54,8 @@ def preview(
     """
     mismatch, rear_axle_offset = scenario.mismatch, scenario.rear_axle_offset
     if mode in ("lookahead", "obstacle") and horizon:
-        surface, expected = excitation.surface, expected_errors(scenario.mpc)
+        surface = excitation.surface
+        expected = expected_errors(scenario.mpc) if mode == "lookahead" else ExpectedErrors()
         if mode == "obstacle" or mismatch.preview_noise or mismatch.preview_resolution or expected != ExpectedErrors():
             surface = sensed_road(surface, scenario.road, mismatch, expected, obstacle_alone=mode == "obstacle")
         return _by_sensors(surface, speed_profile, excitation.grid, horizon, rear_axle_offset, mismatch)

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import inf
-from typing import get_args
+from typing import Any, get_args
 
 import numpy as np
 
@@ -28,11 +28,45 @@ from sim_core.vehicle.model import Estimator, SemiActiveDampers
 
 
 def run_dampers(scenario: Scenario, controller: Controller) -> SemiActiveDampers | None:
-    """The car's dampers where the controller sets their coefficients, within the limits of forces; else None."""
+    """The car's dampers where the controller sets their coefficients, within the limits of forces; else None.
+
+    Raises:
+        RidelabError: The controller says that it has no actuators.
+    """
     dampers = controller.dampers()
     if dampers is None:
         return None
+    if not controller.actuated:
+        raise RidelabError(f"{controller.label}: one that sets dampers is actuated")
     return replace(dampers, most_force=min(scenario.mpc.force_limit, scenario.actuator.saturation or inf))
+
+
+def requested_preview(controller: Controller) -> tuple[Preview, int]:
+    """Return what a controller for one run asks for: the kind of preview and its control steps, `none` for 0 of them.
+
+    Raises:
+        RidelabError: Its preview is none that there is, its horizon is no number of steps, or it sets one of both
+            without the other.
+    """
+    preview: Preview = controller.preview
+    steps: Any = controller.preview_steps  # a visitor's class may hold anything
+    whole = isinstance(steps, int | np.integer) and not isinstance(steps, bool)
+    if preview not in get_args(Preview):
+        raise RidelabError(f"{controller.label}: preview is one of {', '.join(get_args(Preview))}")
+    if not whole or steps < 0:
+        raise RidelabError(f"{controller.label}: prediction_horizon is a whole number, 0 or more")
+    if steps and not _sets(controller, "preview"):
+        raise RidelabError(f"{controller.label} sets prediction_horizon and not preview, which says what it looks at")
+    if preview != "none" and not steps and not _sets(controller, "prediction_horizon", "preview_steps"):
+        message = "sets preview and not prediction_horizon: how many control steps ahead it looks"
+        raise RidelabError(f"{controller.label} {message}")
+    return (preview if steps else "none"), int(steps)
+
+
+def _sets(controller: Controller, *names: str) -> bool:
+    """Check whether the object, or a class of it below `Controller`, sets one of these attributes."""
+    classes = type(controller).__mro__[: type(controller).__mro__.index(Controller)]
+    return any(name in vars(each) for each in (controller, *classes) for name in names)
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -64,6 +98,8 @@ class Run:
     Attributes:
         scenario: What is driven.
         controller: For that scenario.
+        preview: What of the road ahead the controller is told.
+        preview_steps: For how many control steps; 0 where it is told nothing.
         plan: Whether the car slows down for the bump.
         speed_profile: How fast its road is driven.
         steps: How finely it is stepped; the car in short steps.
@@ -74,6 +110,8 @@ class Run:
 
     scenario: Scenario
     controller: Controller
+    preview: Preview
+    preview_steps: int
     plan: SpeedPlan
     speed_profile: SpeedProfile
     steps: StepSizes
@@ -89,20 +127,11 @@ class Run:
     @property
     def filter_preview(self) -> Preview:
         """What of the road the controller's filter is told: what it previews itself, where the scenario says so."""
-        return self.controller.preview if self.scenario.estimation.knows_preview else "none"
+        return self.preview if self.preview != "none" and self.scenario.estimation.knows_preview else "none"
 
     def setup(self) -> Setup:
-        """What the controller is told before it.
-
-        Raises:
-            RidelabError: Its preview is none that there is, or its horizon no number of steps.
-        """
+        """What the controller is told before it."""
         scenario, controller, speed_profile = self.scenario, self.controller, self.speed_profile
-        steps_ahead: object = controller.preview_steps  # a visitor's class may hold anything
-        if controller.preview not in get_args(Preview):
-            raise RidelabError(f"{controller.label}: preview is one of {', '.join(get_args(Preview))}")
-        if not isinstance(steps_ahead, int | np.integer) or isinstance(steps_ahead, bool) or steps_ahead < 0:
-            raise RidelabError(f"{controller.label}: prediction_horizon is a whole number, 0 or more")
         return Setup(
             vehicle=scenario.vehicle,
             sample_time=self.steps.control,
@@ -111,7 +140,7 @@ class Run:
             initial_speed=speed_profile.initial_speed,
             force_limit=scenario.mpc.force_limit if controller.actuated else 0.0,
             deflection_limit=scenario.mpc.deflection_limit,
-            preview_steps=int(steps_ahead),
+            preview_steps=self.preview_steps,
             stages=tuple(STAGES),
             rear_axle_offset=scenario.rear_axle_offset,
         )
@@ -127,10 +156,13 @@ class Run:
                 it has to.
         """
         controller, setup = self.controller, self.setup()
-        forecast = self.forecast(controller.preview, controller.preview_steps)
+        asked_for = controller.preview, controller.preview_steps
+        forecast = self.forecast(self.preview, self.preview_steps)
         car, inputs, force_limits = self.car(recorder), self.inputs(forecast), self.force_limits()
         try:
             controller.start(setup)
+            if (controller.preview, controller.preview_steps) != asked_for:
+                raise RidelabError(f"{controller.label}: preview and prediction_horizon are set before start")
             if controller.delayed:
                 trajectory = DelayedLoop(controller, car, inputs, setup, force_limits).run()
             else:
@@ -181,6 +213,7 @@ class Run:
             position=grid.position,
             speed=grid.speed,
             segments=self.segments,
+            previews=self.preview != "none" or "preview" in self.controller.declared,
             disturbances=forecast.disturbances,
             road_height=forecast.height_now,
             noise=lambda: sensor_noise(self.scenario, steps, short)[::short],

@@ -17,7 +17,7 @@ from sim_core.strategies.lqr import Lqr
 from sim_core.strategies.lv import Lv
 from sim_core.strategies.lv_hil import LvHil
 from sim_core.strategies.passive import Passive, SpeedOnly
-from sim_core.strategies.reads import dependencies
+from sim_core.strategies.reads import CLASS_VALUES, dependencies, effective_preview
 from sim_core.strategies.skyhook import Skyhook
 from sim_core.strategies.suspension_only import SuspensionOnly
 
@@ -71,9 +71,24 @@ def make_controller(strategy: str | type[Controller] | Controller) -> Controller
     """
     controller = strategy_named(strategy) if isinstance(strategy, str) else strategy
     if isinstance(controller, type) and issubclass(controller, Controller):
-        return controller()
+        controller = controller()
     if not isinstance(controller, Controller):
         raise RidelabError("A strategy is an id, a class derived from sim_core.Controller, or an object of one")
+    return controller
+
+
+def controller_for(strategy: str | type[Controller] | Controller, scenario: Scenario) -> Controller:
+    """Return the controller of one run, with its scenario's values.
+
+    Raises:
+        UnknownNameError: No such strategy.
+        RidelabError: It is none, does not take the scenario's values, or an object says otherwise than its class how it
+            is driven.
+    """
+    controller = make_controller(strategy).for_scenario(scenario)
+    for name in CLASS_VALUES:
+        if getattr(controller, name) != getattr(type(controller), name):
+            raise RidelabError(f"{controller.label}: {name} is a plain value of the class, for all of its objects")
     return controller
 
 
@@ -93,10 +108,20 @@ def reads(strategy: type[Controller], policy: str = "by_strategy") -> tuple[str,
     """Dotted names of the parts and fields of a scenario that a strategy's result depends on; on nothing else.
 
     Args:
-        strategy: The strategy.
+        strategy: The strategy; with each kind of preview that a scenario may have it look at.
         policy: The scenario's `speed.policy`, which decides how the strategy is driven.
     """
-    return ("speed.policy", *dependencies(strategy, resolve_speed_plan(strategy, policy)))
+    plan = resolve_speed_plan(strategy, policy)
+    return ("speed.policy", *dependencies(strategy, plan, effective_preview(strategy)))
+
+
+def reads_in(scenario: Scenario, strategy: type[Controller]) -> tuple[str, ...]:
+    """Dotted names of what a strategy's result depends on under a scenario, with the preview that it has there.
+
+    The speed policy, which decides the speed plan, is not among them.
+    """
+    plan = resolve_speed_plan(strategy, scenario.speed.policy)
+    return dependencies(strategy, plan, effective_preview(strategy, scenario))
 
 
 def values_read(
@@ -109,7 +134,7 @@ def values_read(
     """
     identity = identity or scenario.identity()
     values: dict[str, Any] = {}
-    for path in dependencies(strategy, resolve_speed_plan(strategy, scenario.speed.policy)):
+    for path in reads_in(scenario, strategy):
         *parts, last = path.split(".")
         part = identity
         for key in parts:

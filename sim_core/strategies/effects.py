@@ -10,16 +10,17 @@ from functools import cache
 from itertools import chain, product
 from typing import Any, get_args
 
-from sim_core.control.controller import Controller, ScenarioField
+from sim_core.control.controller import Controller, ScenarioField, option_name
 from sim_core.scenario import Speed, dotted
 from sim_core.strategies import STRATEGIES, reads, resolve_speed_plan
-from sim_core.strategies.reads import by_parts
+from sim_core.strategies.reads import PREVIEW, READS_MOST, by_parts, decides_by_code, effective_preview
 
 _POLICY = "speed.policy"
 _POLICIES = get_args(Speed.model_fields["policy"].annotation)
 # What only acts on a car that brakes.
 _BRAKING = {"vehicle.cg_height", "vehicle.anti_dive", "vehicle.anti_lift", "vehicle.front_brake_share"}
 _EXPECTED = "expected_offset", "expected_noise"
+_KNOWS_PREVIEW = "estimation.knows_preview"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -145,15 +146,9 @@ def _of_car() -> dict[str, Alternatives]:
 
 def _of_sensors(strategy: type[Controller]) -> dict[str, Alternatives]:
     """Those of what the strategy itself previews."""
-    ahead, seen = _previews(strategy, "lookahead"), _previews(strategy, "lookahead", "obstacle")
-    any_preview = _previews(strategy, "wheelbase", "lookahead", "obstacle")
-    of_both = ("preview_offset", "preview_gain", "preview_resolution", "preview_delay")
-    return {
-        **{f"mismatch.{name}": seen for name in of_both},
-        "mismatch.preview_noise": ahead,
-        **{f"mpc.{name}": ahead for name in _EXPECTED},
-        "estimation.knows_preview": _all(_filtered(strategy), any_preview),
-    }
+    modes = {name: [mode for mode, names in PREVIEW.items() if name in names] for name in PREVIEW[READS_MOST]}
+    needs = {name: _previews(strategy, *those) for name, those in modes.items()}
+    return needs | {_KNOWS_PREVIEW: _all(_filtered(strategy), needs[_KNOWS_PREVIEW])}
 
 
 def _of_ours(strategy: type[Controller]) -> dict[str, Alternatives]:
@@ -175,11 +170,11 @@ def _filtered(strategy: type[Controller]) -> Alternatives:
 
 
 def _previews(strategy: type[Controller], *modes: str) -> Alternatives:
-    """That the strategy's preview is one of these, by the field of the scenario that it is, or by its class."""
-    preview: object = strategy.preview
-    if isinstance(preview, ScenarioField):
-        return _is(preview.name, *modes)
-    return _ALWAYS if preview in modes or not isinstance(preview, str) else _NEVER
+    """That the strategy's preview is one of these, by the field or option that it is, or by its class."""
+    declared = strategy.declared.get("preview")
+    if declared is None or decides_by_code(strategy):
+        return _ALWAYS if effective_preview(strategy) in modes else _NEVER
+    return _is(declared.name if isinstance(declared, ScenarioField) else option_name(strategy, "preview"), *modes)
 
 
 def _is(field: str, *values: Any) -> Alternatives:

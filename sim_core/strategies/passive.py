@@ -16,8 +16,6 @@ class Passive(Controller):
     label = "Passive"
     speed_plan: ClassVar[SpeedPlan] = "constant"
     actuated = False
-    preview = "none"
-    prediction_horizon = 0
 
     def linear_law(self, stage: str) -> LinearLaw:
         """No force, ever."""

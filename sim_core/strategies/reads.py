@@ -1,11 +1,16 @@
-"""Which of the scenario's fields a strategy's result depends on: those of every run, and its controller's own."""
+"""Which of the scenario's fields a strategy's result depends on: those of what its controller uses, and its own.
 
+What a drive looks at can be recorded (`sim_core.scenario.access`); `check_controller` and tests hold both together.
+"""
+
+import inspect
 from functools import cache
+from typing import Any
 
 from pydantic import BaseModel
 
-from sim_core.control.controller import Controller, ScenarioField
-from sim_core.scenario import Scenario
+from sim_core.control.controller import Controller, ScenarioField, field_value
+from sim_core.scenario import Preview, Scenario
 from sim_core.scenario.dotted import OWN
 from sim_core.speed.profile import SpeedPlan
 
@@ -30,33 +35,68 @@ ACTUATORS = (
     "mpc.sample_time",
     "mpc.force_limit",
 )
-PREVIEW = (
+SENSORS_AHEAD = (
     "estimation.knows_preview",
     "mismatch.preview_offset",
     "mismatch.preview_gain",
-    "mismatch.preview_noise",
     "mismatch.preview_resolution",
     "mismatch.preview_delay",
-    "mpc.expected_offset",
-    "mpc.expected_noise",
 )
+PREVIEW: dict[Preview, tuple[str, ...]] = {
+    "none": (),
+    "wheelbase": ("estimation.knows_preview",),
+    "obstacle": SENSORS_AHEAD,
+    "lookahead": (*SENSORS_AHEAD, "mismatch.preview_noise", "mpc.expected_offset", "mpc.expected_noise"),
+}
+READS_MOST: Preview = "lookahead"
+CLASS_VALUES = ("speed_plan", "actuated", "delayed")  # decide what is read, so that all objects of a class have them
 
 
-def dependencies(strategy: type[Controller], plan: SpeedPlan) -> tuple[str, ...]:
-    """Dotted names of the parts and fields that its result depends on at that speed plan; on nothing else.
+def effective_preview(strategy: type[Controller], scenario: Scenario | None = None) -> Preview:
+    """Return what a strategy previews; where code of its own decides that in each run, the kind that reads most.
+
+    Args:
+        strategy: The strategy.
+        scenario: Where it is driven; None for anywhere, whatever its fields say there.
+    """
+    if decides_by_code(strategy):
+        return READS_MOST
+    made = strategy()
+    preview: Any = made.preview
+    if "preview" in strategy.declared:
+        preview = READS_MOST if scenario is None else field_value(made, "preview", scenario)
+    return preview if preview in PREVIEW else READS_MOST
+
+
+def decides_by_code(strategy: type[Controller]) -> bool:
+    """Check whether a strategy's own code may give it another preview in each run, which no field says."""
+    is_property = hasattr(inspect.getattr_static(strategy, "preview"), "__get__")
+    return is_property or strategy.for_scenario is not Controller.for_scenario
+
+
+def dependencies(strategy: type[Controller], plan: SpeedPlan, preview: Preview) -> tuple[str, ...]:
+    """Dotted names of the parts and fields that its result depends on; on nothing else.
 
     The speed policy, which decides the plan, is not among them.
+
+    Args:
+        strategy: The strategy.
+        plan: Its speed plan.
+        preview: What it previews.
     """
-    declared = {name: each.name for name, each in strategy.declared.items() if isinstance(each, ScenarioField)}
-    names = [*EVERY_RUN, *declared.values()]
+    names = [*EVERY_RUN, *(each.name for each in strategy.declared.values() if isinstance(each, ScenarioField))]
     if strategy.actuated:
         names += ACTUATORS
-    if "preview" in declared:
-        names += PREVIEW
+    names += PREVIEW[preview]
     if plan == "planned":
         names += SPEED_PLAN
     options = (f"{OWN}{strategy.id}",) if strategy.options() else ()
     return (*by_parts(frozenset(names)), *options)
+
+
+def is_within(name: str, part: str) -> bool:
+    """Check whether a dotted name is that of a part or field, or of something in it."""
+    return f"{name}.".startswith(f"{part}.")
 
 
 @cache

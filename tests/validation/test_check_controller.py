@@ -85,8 +85,18 @@ def test_the_check_reads_the_declaration() -> None:
         other: float = scenario_field("hook.skyhok_damping")
 
     sentences = "\n".join(check_controller(Bare))
-    for said in ("id begins", "label is empty", "no docstring", "neither force nor linear_law", "number", "skyhok"):
+    for said in ("id begins", "label is empty", "no docstring", "neither force nor linear_law", "skyhok"):
         assert said in sentences
+    assert "\nnumber: Input should be greater than or equal to 0\n" in sentences
+
+
+@pytest.mark.parametrize(
+    "name", ["label", "id", "report", "description", "options", "force", "actuated", "_own_values"]
+)
+def test_the_check_says_that_an_option_has_a_name_that_is_taken(name: str) -> None:
+    members = {"__doc__": "Gives no force.", "id": "fine", "force": lambda _self, _seen: (0.0, 0.0), name: option(1.0)}
+    said = f"{name}: every controller has something of that name: call the option otherwise"
+    assert check_controller(type("Wrong", (Controller,), {**members, "__annotations__": {name: float}})) == [said]
 
 
 @pytest.mark.parametrize(

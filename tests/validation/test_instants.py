@@ -8,7 +8,7 @@ import osqp
 import pytest
 from scipy.sparse import csc_matrix, triu
 
-from sim_core import STRATEGIES, Controller, FloatArray, RidelabError, Scenario, Seen, simulate
+from sim_core import STRATEGIES, Controller, FloatArray, RidelabError, Scenario, Seen, option, simulate
 from sim_core.control.mpc_design import MpcDesign
 from sim_core.control.plan import Plan
 from sim_core.control.qp import CENTI, Qps
@@ -56,7 +56,6 @@ class Follows(Controller):
     """Commands given forces from one control step on, none before."""
 
     id, label = "follows", "Follows a plan"
-    preview = "none"
 
     def __init__(self, first: int = 0, forces: FloatArray | None = None) -> None:
         super().__init__()
@@ -72,7 +71,7 @@ def planned(scenario: Scenario, controller: Controller, step: int, state: FloatA
     """A controller's plan at a step of a run, from any state."""
     run = prepare(scenario, controller)
     run.controller.start(run.setup())
-    forecast = run.forecast(run.controller.preview, run.controller.preview_steps)
+    forecast = run.forecast(run.preview, run.preview_steps)
     return there(run.controller.plan(Seen(run.inputs(forecast), run.car(), step, step, state, previous)))
 
 
@@ -149,7 +148,7 @@ def test_forces_without_a_limit_and_all_multipliers_are_those_of_osqp() -> None:
     run = prepare(BOUND, "suspension_only")
     run.controller.start(run.setup())
     assert isinstance(run.controller, SuspensionOnly)
-    disturbances = run.forecast(run.controller.preview, run.controller.preview_steps).disturbances[:, at.step]
+    disturbances = run.forecast(run.preview, run.preview_steps).disturbances[:, at.step]
     design = run.controller.designs(run.setup())[at.stage]
     inputs = np.concatenate([at.state, at.previous, disturbances.ravel()])
     force, of_moves, of_travel = by_osqp(design, inputs, None)
@@ -207,6 +206,47 @@ def test_a_moving_cursor_drives_the_run_once(monkeypatch: pytest.MonkeyPatch) ->
     first = instant(scenario, "lqr", position=30)
     monkeypatch.setattr(Run, "drive", None)
     assert instant(scenario, "lqr", position=30.5).step > first.step
+
+
+class Proportional(Controller):
+    """Gives a force in proportion to the deflections."""
+
+    id, label = "proportional", "Proportional"
+    gain = 1000.0
+    damping: float = option(0.0, unit="N s/m", ge=0, le=20_000)
+
+    def force(self, seen: Seen) -> FloatArray:
+        """Against them, and against the body's velocity."""
+        force: FloatArray = -self.gain * seen.state[:2] - self.damping * seen.state[4]
+        return force
+
+
+@pytest.mark.parametrize("field", ["gain", "damping"])
+def test_an_instant_is_of_the_object_and_the_class_as_they_are_now(field: str) -> None:
+    """Also where they were changed since an instant of theirs was asked for: in an attribute or in an option."""
+    kind: type[Proportional] = type("Changed", (Proportional,), {})
+    controller, place = kind(), {"position": 41.0}
+    before = instant(BOUND, controller, **place)
+    setattr(controller, field, 9000.0)
+    after, driven = instant(BOUND, controller, **place), simulate(BOUND, controller).series
+    sample = np.flatnonzero(np.abs(driven["time"] - after.time) < 1e-9)[-1] + 1
+    np.testing.assert_allclose(after.command, [driven[f"{axle}_force"][sample] for axle in ("front", "rear")])
+    assert np.abs(after.command - before.command).max() > 100
+    if field == "gain":
+        kind.gain = 9000.0
+        np.testing.assert_array_equal(instant(BOUND, kind, **place).command, after.command)
+
+
+def test_a_value_that_is_assigned_to_an_option_counts_as_one_that_is_given() -> None:
+    controller = Proportional()
+    controller.damping = 500.0
+    assert simulate(BOUND, controller).summary() == simulate(BOUND, Proportional(damping=500.0)).summary()
+    ready = controller.for_scenario(BOUND)
+    ready.damping = 700.0
+    assert controller.for_scenario(BOUND).damping == 500.0, "a run's copy is its own"
+    controller.damping = -1.0
+    with pytest.raises(RidelabError, match="damping: Input should be greater than or equal to 0"):
+        simulate(BOUND, controller)
 
 
 def test_a_place_beside_the_road_is_refused() -> None:

@@ -22,7 +22,7 @@ from tests.there import there
 FILES = sorted(
     file
     for file in (Path(sim_core.__file__).parent / "strategies").glob("*.py")
-    if file.stem not in ("__init__", "reads", "calibration")
+    if file.stem not in ("__init__", "reads", "effects", "calibration")
 )
 SHORT = Scenario(road=Road(length=60, bump=Bump(start=30)))
 
@@ -73,8 +73,6 @@ class Skyhook(Controller):
 
     id = "my_skyhook"
     label = "My skyhook"
-    preview = "none"
-    prediction_horizon = 0
     damping: float = option(2000.0, unit="N s/m", ge=0, le=20_000, help="Force per velocity.")
 
     def start(self, setup: Setup) -> None:
@@ -95,7 +93,7 @@ class Skyhook(Controller):
     ids=["linear", "nonlinear", "limited actuators", "estimated and limited"],
 )
 def test_a_force_a_step_is_the_law_that_says_the_same(scenario: Scenario) -> None:
-    """Ours is driven in blocks, theirs asked in each step."""
+    """Ours is driven in blocks, theirs asked in each step. Neither looks ahead, so no filter is told of the road."""
     ours, theirs = simulate(scenario, "skyhook"), simulate(scenario, Skyhook(damping=scenario.hook.skyhook_damping))
     assert theirs.events["limited_steps"] == ours.events["limited_steps"]
     for name in ("body_acceleration", "front_force", "rear_deflection"):
@@ -110,6 +108,7 @@ def test_options_have_defaults_bounds_and_belong_to_the_object() -> None:
         with pytest.raises(RidelabError) as refused:
             Skyhook(damping=wrong)
         assert refused.value.field == "own.my_skyhook.damping"
+        assert refused.value.message.startswith("damping: Input should be ")
     with pytest.raises(RidelabError, match="damping"):
         Skyhook(dampnig=1.0)
 
@@ -119,6 +118,8 @@ class Watcher(Controller):
 
     id = "watcher"
     label = "Watcher"
+    preview = scenario_field("mpc.preview")
+    prediction_horizon = scenario_field("mpc.prediction_horizon")
     recorded: list[dict[str, Any]]
 
     def start(self, setup: Setup) -> None:
@@ -243,7 +244,21 @@ def test_a_field_of_the_scenario_exists_and_takes_what_the_scenario_takes() -> N
     [
         (Controller, {"preview": "ahead"}, "preview is one of none, wheelbase, lookahead, obstacle"),
         (Controller, {"prediction_horizon": -1}, "prediction_horizon is a whole number, 0 or more"),
+        (Controller, {"prediction_horizon": 9}, "sets prediction_horizon and not preview"),
+        (Controller, {"preview": "lookahead"}, "sets preview and not prediction_horizon"),
+        (
+            Controller,
+            {"start": lambda self, _: setattr(self, "preview", "wheelbase")},
+            "are set before start",
+        ),
         (Controller, {"speed_plan": "fast"}, "speed_plan is planned or constant"),
+        (Controller, {"speed_plan": property(lambda _: "constant")}, "speed_plan is a plain value of the class"),
+        (Controller, {"delayed": option(default=False)}, "delayed is a plain value of the class"),
+        (
+            Controller,
+            {"actuated": False, "dampers": lambda _: sim_core.SemiActiveDampers(least=0, most=1)},
+            "one that sets dampers is actuated",
+        ),
         (sim_core.PredictiveController, {"prediction_horizon": 0}, "prediction_horizon and a control_horizon of 1"),
         (sim_core.PredictiveController, {"control_horizon": 0}, "prediction_horizon and a control_horizon of 1"),
         (sim_core.EcuController, {"prediction_horizon": 0}, "prediction_horizon and a control_horizon of 1"),
@@ -257,8 +272,8 @@ def test_a_horizon_preview_or_plan_that_is_none_is_refused(
         simulate(SHORT, type("Wrong", (base,), needed | members))
 
 
-@pytest.mark.parametrize("preview", ["none", "wheelbase", "lookahead", "obstacle"])
-@pytest.mark.parametrize("horizon", [0, 1, np.int64(7)])
+@pytest.mark.parametrize("preview", ["wheelbase", "lookahead", "obstacle"])
+@pytest.mark.parametrize("horizon", [1, np.int64(7)])
 def test_a_horizon_is_any_whole_number(preview: str, horizon: int) -> None:
     class Watcher(Controller):
         def force(self, seen: Seen) -> tuple[float, float]:
@@ -267,6 +282,26 @@ def test_a_horizon_is_any_whole_number(preview: str, horizon: int) -> None:
 
     watcher = type("Watcher", (Watcher,), {"preview": preview, "prediction_horizon": horizon})
     assert simulate(SHORT, watcher).events["limited_steps"] == 0
+
+
+@pytest.mark.parametrize(
+    "members", [{}, {"preview": "lookahead", "prediction_horizon": 0}, {"preview": "none", "prediction_horizon": 9}]
+)
+def test_preview_is_there_for_those_who_ask_for_it_alone(members: dict[str, Any]) -> None:
+    def force(_self: Controller, seen: Seen) -> Any:
+        return seen.preview[0]
+
+    blind = type("Blind", (Controller,), {"id": "blind", "label": "Blind", "__doc__": "Looks.", "force": force})
+    looking = type("Looking", (blind,), {"__doc__": "Looks.", **members})
+    (said,) = check_controller(looking, SHORT)
+    assert said.startswith("seen.preview is there for a controller that asks for it: set preview (to ")
+    assert "prediction_horizon" in said
+    if not members.get("prediction_horizon"):
+        expecting = type("Expecting", (looking,), {"force": lambda _self, seen: seen.disturbances[:2, 0]})
+        with pytest.raises(RidelabError, match=r"seen\.disturbances is there for a controller that asks for it"):
+            simulate(SHORT, expecting)
+    asking = type("Asking", (looking,), {"__doc__": "Looks.", "preview": "wheelbase", "prediction_horizon": 9})
+    assert check_controller(asking, SHORT) == []
 
 
 def test_a_law_that_does_not_fit_its_preview_is_refused() -> None:

@@ -1,21 +1,26 @@
 """A result is a pure function of exactly the fields its strategy says it reads."""
 
+import ast
 import json
-from typing import Any
-from unittest.mock import patch
+import re
+from pathlib import Path
+from typing import Any, Self
 
 import numpy as np
 import pytest
 
-from sim_core import strategies
-from sim_core.caching import SHARED
+from sim_core import Controller, Seen, check_controller, load_controllers, scenario_field, strategies
+from sim_core.check_controller import undeclared_reads
+from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Estimation, Hil, Lqr, Mpc, Road, Scenario, Speed, Vehicle, dotted
-from sim_core.scenario.fields import Part
+from sim_core.scenario.access import accessed
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.simulate import simulate
-from sim_core.strategies import STRATEGIES, reads, values_read
+from sim_core.strategies import STRATEGIES, reads, reads_in, values_read
 from sim_core.strategies.effects import conditional_reads
+from sim_core.strategies.reads import is_within
+from tests.servers.process import ROOT
 
 # A short, lively run: limits bind, the car brakes, every stage occurs.
 BASE = Scenario(
@@ -264,31 +269,77 @@ def test_runs_leave_no_trace_in_each_other(strategy: str) -> None:
     assert all(np.array_equal(again.series[name], copies[name]) for name in copies)
 
 
+# In these, all that is read by somebody is looked at.
+WATCHED = "as it is", "filtered", "noisy", "behind the front", "the bump alone", "without preview", "stops"
+
+
 @pytest.mark.parametrize("policy", ["by_strategy", "planned", "constant"])
 @pytest.mark.parametrize("strategy", STRATEGIES)
-def test_a_run_looks_at_no_field_that_its_strategy_does_not_declare(strategy: str, policy: Any) -> None:
-    """Each access to a part of the scenario is recorded, with nothing cached."""
-    scenario = BASE.model_copy(update={"speed": BASE.speed.model_copy(update={"policy": policy})})
-    names = {id(part): name for name, part in parts_of(scenario, "")}
-    found: set[str] = set()
-    get = Part.__getattribute__
-
-    def recording(part: Part, name: str) -> Any:
-        value = get(part, name)
-        if id(part) in names and name in type(part).model_fields and not isinstance(value, Part):
-            found.add(f"{names[id(part)]}{name}")
-        return value
-
-    SHARED.clear()
-    with patch.object(Part, "__getattribute__", recording):
-        simulate(scenario, strategy)
-    declared = reads(STRATEGIES[strategy], policy)
-    beyond = {each for each in found if not any(each == part or each.startswith(f"{part}.") for part in declared)}
-    assert not beyond
-    assert {"speed.initial_speed_kmh", "road.length", "mpc.deflection_limit"} <= found
+def test_drives_look_at_exactly_the_fields_that_are_declared(strategy: str, policy: Any) -> None:
+    """At none beyond in any drive, with nothing cached; and at each of them in one of these drives."""
+    looked_at, declared = set[str](), set[str]()
+    for variant in WATCHED:
+        scenario = scenario_of(variant)
+        scenario = scenario.model_copy(update={"speed": scenario.speed.model_copy(update={"policy": policy})})
+        assert undeclared_reads(scenario, STRATEGIES[strategy]) == []
+        result, names = accessed(scenario, lambda recording: simulate(recording, strategy))
+        assert same(result, simulate(scenario, strategy)), "recording changes nothing"
+        looked_at |= names
+        declared |= set(reads_in(scenario, STRATEGIES[strategy]))
+    leaves = {".".join(path) for path in LEAVES}
+    assert {each for each in leaves if any(is_within(each, part) for part in declared)} == looked_at & leaves
+    assert all(any(is_within(each, part) for part in reads(STRATEGIES[strategy], policy)) for each in declared)
 
 
-def parts_of(part: Part, prefix: str) -> list[tuple[str, Part]]:
-    """Each part of a scenario after what its fields' names begin with."""
-    inner = [(f"{prefix}{name}.", value) for name, value in part.__dict__.items() if isinstance(value, Part)]
-    return [(prefix, part), *(each for name, value in inner for each in parts_of(value, name))]
+def classes_of(file: Path) -> list[type[Controller]]:
+    """The controllers of an example, or those that the Python of a page of the manual defines."""
+    if file.suffix == ".py":
+        return list(load_controllers(file).values())
+    names: dict[str, Any] = {"__name__": file.stem}
+    for block in re.findall(r"```python\n(.*?)```", file.read_text(), flags=re.DOTALL):
+        kinds = ast.ClassDef | ast.Import | ast.ImportFrom
+        defining: list[ast.stmt] = [node for node in ast.parse(block).body if isinstance(node, kinds)]
+        exec(compile(ast.Module(defining, []), str(file), "exec"), names)  # noqa: S102 - ours
+    return [each for each in names.values() if isinstance(each, type) and issubclass(each, Controller) and each.id]
+
+
+EXAMPLES = [
+    *sorted((ROOT / "examples" / "controllers").glob("*.py")),
+    ROOT / "sim_core" / "README.md",
+    *sorted(file for file in (ROOT / "docs").rglob("*.md") if "\nclass " in file.read_text()),
+]
+
+
+@pytest.mark.parametrize("file", EXAMPLES, ids=lambda file: file.stem)
+def test_examples_look_at_no_field_that_is_not_declared(file: Path) -> None:
+    classes = classes_of(file)
+    assert classes
+    for kind in classes:
+        for variant in WATCHED:
+            try:
+                assert undeclared_reads(scenario_of(variant), kind) == []
+            except RidelabError:
+                assert kind.__name__ in ("Forgetful", "Blind"), "an example of what the check finds"
+
+
+def test_the_check_names_a_field_that_a_controller_looks_at_and_does_not_declare() -> None:
+    class Peeks(Controller):
+        """Looks at what is no field of its own."""
+
+        id, label = "peeks", "Peeks"
+        gain: float
+
+        def for_scenario(self, scenario: Scenario) -> Self:
+            ready = super().for_scenario(scenario)
+            ready.gain = scenario.hook.alpha + sum(scenario.lqr.model_dump()["weights"])
+            return ready
+
+        def force(self, seen: Seen) -> Any:
+            return self.gain * seen.state[:2]
+
+    said = check_controller(Peeks)
+    fields = [f"lqr.{name}" for name in ("deflection_weight", "preview", "preview_horizon", "weights")]
+    assert [each.partition(" of ")[0] for each in said] == [f"It looks at {name}" for name in ("hook.alpha", *fields)]
+    assert 'scenario_field("hook.alpha")' in said[0]
+    declared = {"alpha": scenario_field("hook.alpha"), "weighs": scenario_field("lqr"), "__doc__": "Looks."}
+    assert check_controller(type("Declares", (Peeks,), declared)) == []

@@ -35,6 +35,8 @@ class {kind}(Controller):
         """Once a control step: both forces, front and rear [N], up on the body."""
         return -self.damping * (seen.state[4] + self.arms * seen.state[5])
 
+    # To see the road ahead as seen.preview, set this beside damping: preview, prediction_horizon = "lookahead", 20
+
     # The same as a linear law, which runs much faster, has frequency responses and leaves as an FMU. In place of force:
     # def linear_law(self, stage):
     #     gain = np.zeros((2, 10))  # force = gain @ [eight states; both forces before]

@@ -88,7 +88,7 @@ def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, fl
         return held.metrics(scenario, speed_profile), held
 
     controller.start(core.setup())
-    forecast = core.forecast(controller.preview, controller.preview_steps)
+    forecast = core.forecast(core.preview, core.preview_steps)
     inputs, car, limit = core.inputs(forecast), core.car(), scenario.mpc.force_limit
     actuator = scenario.actuator if controller.actuated else Actuator()
     most = np.inf if actuator.rate_limit is None else actuator.rate_limit * Ts
