@@ -4,7 +4,10 @@ from functools import cache
 from typing import Annotated, Any
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, JsonValue
+from pydantic.config import JsonDict
 from pydantic_core import PydanticCustomError
+
+from sim_core.scenario.search_words import SEARCH_WORDS, search_terms
 
 
 def quantity(unit: str, *, soft: tuple[float, float], ge: float, le: float, shown: str | None = None) -> Any:
@@ -27,6 +30,15 @@ def field(default: Any, title: str, description: str) -> Any:
 ADDED = "added"
 
 
+def _with_search_words(schema: JsonDict, part: type[BaseModel]) -> None:
+    """Add to each field's JSON Schema what people may look for it by."""
+    words, properties = SEARCH_WORDS.get(part.__name__, {}), schema.get("properties")
+    for name, each in properties.items() if isinstance(properties, dict) else ():
+        found = [term for key in ("*", name) if key in words for term in search_terms(words[key])]
+        if found and isinstance(each, dict):
+            each["search_words"] = list[JsonValue](found)
+
+
 class Part(BaseModel):
     """Base of every part: frozen, hashable, strict about names and types, no NaN or infinity."""
 
@@ -38,6 +50,7 @@ class Part(BaseModel):
         validate_default=True,
         hide_input_in_errors=True,
         serialize_by_alias=True,
+        json_schema_extra=_with_search_words,
     )
 
     def identity(self) -> dict[str, Any]:

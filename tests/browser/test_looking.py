@@ -205,6 +205,10 @@ def test_everything_goes_by_keyboard_and_undo_is_the_scenarios_wherever_the_focu
     page.get_by_role("textbox", name="Find a field").fill("bump hei")
     expect(height).to_have_value("12")
     expect(page.locator("aside button[aria-expanded]")).to_have_count(1)
+    page.get_by_role("textbox", name="Find a field").fill("sensor")
+    expect(dashboard.entry("Deflection noise")).to_be_visible()
+    page.get_by_role("textbox", name="Find a field").fill("natural frequency")
+    expect(page.get_by_role("combobox", name="Vehicle")).to_be_visible()
     page.get_by_role("textbox", name="Find a field").press("Escape")
 
     dashboard.chip("LQR").focus()
@@ -231,6 +235,15 @@ def test_commands_and_fields_are_found_by_name(dashboard: Dashboard) -> None:
         expect(dashboard.entry("Height")).to_be_focused()
 
     page.keyboard.press("Control+k")
+    found = page.get_by_role("dialog").get_by_role("button")
+    for words, names in {
+        "frequency": ("Frequencies: responses", "Front spring", "Bandwidth"),
+        "sensor": ("Acceleration noise", "Sensor noise", "Preview noise"),
+        "weight": ("Body mass", "Cruise: Body acceleration"),
+    }.items():
+        search.fill(words)
+        for name in names:
+            expect(found.filter(has_text=name).first).to_be_visible()
     search.fill("bandwid actuator")
     dashboard.expect_accessible(page.get_by_role("dialog"))
     page.keyboard.press("Enter")

@@ -27,6 +27,28 @@ from tests.client.conftest import ADDRESS, RUN, SHORT, SLUG, Prepared
 
 OLD = ("-s0h-wlxdeCgHw4J2eqW3g", "--0Zt9MhQy5rUqf5n_Xk7A", "-" + "k" * 21)  # the letters of options, alone and long
 PEAK = "bump.body_acceleration.peak"
+SEARCHES = {  # words of people's own, and fields that they have to find
+    "sensor": ["estimation.acceleration_noise", "hil.noise", "mismatch.preview_noise"],
+    "frequency": ["vehicle.front_spring", "vehicle.body_mass", "actuator.bandwidth", "mpc.sample_time"],
+    "weight": ["vehicle.body_mass", "mismatch.body_mass", "mpc.stage_weights.cruise", "lqr.weights"],
+    "load": ["vehicle.body_mass", "mismatch.body_mass"],
+    "hump": ["road.bump.height", "road.bump.width"],
+    "pothole": ["road.bump.height"],
+    "speed bump": ["road.bump.height"],
+    "comfort": ["mpc.stage_weights.cruise", "lqr.weights", "vehicle.front_spring"],
+    "ride": ["mpc.stage_weights.cruise", "vehicle.front_damping"],
+    "grip": ["mpc.stage_weights.bump", "vehicle.tyre_lift_off"],
+    "mass": ["vehicle.body_mass", "vehicle.front_wheel_mass"],
+    "shock": ["vehicle.front_damping", "vehicle.front_damper_curve", "hook.skyhook_damping"],
+    "tire": ["vehicle.front_tyre_stiffness", "mismatch.tyres"],
+    "noise": ["estimation.deflection_noise", "mismatch.preview_noise", "hil.noise"],
+    "lag": ["actuator.bandwidth", "mismatch.preview_delay", "brake.pressure_lag"],
+    "delay": ["actuator.bandwidth", "mismatch.preview_delay", "hil.compensation"],
+    "iso roughness": ["road.roughness"],
+    "travel": ["mpc.deflection_limit", "vehicle.bump_stop_clearance"],
+    "stroke": ["mpc.deflection_limit", "vehicle.bump_stop_clearance"],
+    "wheelbase": ["vehicle.cg_to_front", "vehicle.cg_to_rear"],
+}
 
 
 @pytest.fixture
@@ -367,6 +389,13 @@ def test_the_shell_completes_names_that_a_service_gave(cli: Cli, monkeypatch: py
     assert cli().split() == [], "only vehicles have names"
 
 
+@pytest.mark.parametrize(("words", "found"), SEARCHES.items())
+def test_a_field_is_found_by_the_words_that_people_have_for_it(cli: Cli, words: str, found: list[str]) -> None:
+    listed = {line.split()[0] for line in cli("fields", *words.split()).splitlines()[1:]}
+    assert set(found) <= listed
+    assert len(listed) < 30, "a word that finds everything finds nothing"
+
+
 def test_names_are_listed_with_what_a_script_needs(cli: Cli) -> None:
     assert {each["name"] for each in json.loads(cli("metrics", "--json"))} == set(METRICS)
     listed = {each["name"]: each for each in json.loads(cli("fields", "--json"))}
@@ -375,7 +404,7 @@ def test_names_are_listed_with_what_a_script_needs(cli: Cli) -> None:
     assert (height["unit"], height["default"], height["minimum"], height["maximum"]) == ("m", 0.1, -1, 1)
     assert (clearance["default"], clearance["minimum"]) == (None, 0.005)
     assert "kerb" in listed["road.bump.shape"]["choices"]
-    assert [line.split()[0] for line in cli("fields", "STAGE", "comfort").splitlines()[1:]] == [
+    assert [line.split()[0] for line in cli("fields", "STAGE", "uniform").splitlines()[1:]] == [
         "mpc.stage_weights.cruise"
     ]
     assert cli("vehicles") == cli("vehicle")

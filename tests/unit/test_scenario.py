@@ -8,6 +8,7 @@ from pydantic import ValidationError
 from sim_core.scenario import Scenario
 from sim_core.scenario.dotted import with_changes
 from sim_core.scenario.presets import PRESETS
+from sim_core.scenario.search_words import SEARCH_WORDS
 from sim_core.simulate import simulate
 
 
@@ -107,6 +108,12 @@ def test_every_number_in_the_schema_has_a_title_a_unit_limits_and_a_soft_range_w
             assert default is None or low <= default <= number["maximum"], name
             assert not default or soft_low <= default <= soft_high, f"{name}: a slider shows its default"
     assert seen > 40
+
+
+def test_what_a_field_may_be_looked_for_by_is_said_of_fields_that_there_are() -> None:
+    definitions = Scenario.model_json_schema()["$defs"]
+    for part, words in SEARCH_WORDS.items():
+        assert words.keys() - {"*"} <= definitions[part]["properties"].keys(), part
 
 
 def test_the_schema_describes_each_part_and_the_scenario_in_a_line() -> None:

@@ -61,18 +61,24 @@ def _field(name: str, schema: Mapping[str, Any]) -> dict[str, Any]:
     low, high = merged.get("minimum"), merged.get("maximum")
     span = shown(merged["choices"]) if merged["choices"] else "" if low is None else f"{shown(low)} .. {shown(high)}"
     parts = {part: merged.get(part) for part in _PARTS}
-    return {"name": name, **parts, "range": span, "title": schema["title"], "description": schema["description"]}
+    texts = {"title": schema["title"], "description": schema["description"]}
+    return {"name": name, **parts, "range": span, **texts, "search_words": schema.get("search_words", [])}
+
+
+def _has_words(entry: Mapping[str, Any], keys: Sequence[str], asked: Sequence[str]) -> bool:
+    """Check whether all words stand in the entry, or in the words and whole phrases that people look for it by."""
+    terms = [term.split() for term in entry.get("search_words", ())]
+    single = [term[0] for term in terms if len(term) == 1]
+    text = " ".join([*(str(entry.get(key)) for key in keys), *single]).casefold()
+    in_phrases = {word for term in terms if len(term) > 1 and set(term) <= set(asked) for word in term}
+    return all(word in text or word in in_phrases for word in asked)
 
 
 def _show(
     entries: Sequence[Mapping[str, Any]], columns: Sequence[str], words: Sequence[str] | None, *, as_json: bool
 ) -> None:
-    asked = [word.casefold() for word in words or ()]
-    matching = [
-        each
-        for each in entries
-        if all(any(word in str(each.get(key)).casefold() for key in (*columns, "description")) for word in asked)
-    ]
+    asked = [word.casefold() for text in words or () for word in text.split()]
+    matching = [each for each in entries if _has_words(each, (*columns, "description"), asked)]
     if not matching:
         raise InputError(f"Nothing here has {' and '.join(words or ())}")
     if as_json:

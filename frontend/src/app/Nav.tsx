@@ -27,6 +27,15 @@ function useRun(lab: Address): { readonly run?: string } {
 
 const HOME = { display: "flex", alignItems: "center", gap: "0.5rem", color: "inherit", textDecoration: "none" };
 
+/** What people may look for a page by. */
+const SEARCH_WORDS: Readonly<Record<string, readonly string[]>> = {
+  paper: ["reproduction", "claims", "tables"],
+  sweeps: ["batch", "grid", "parameter", "study"],
+  tuner: ["optimise", "optimize", "weights", "comfort"],
+  robustness: ["monte", "carlo", "uncertainty", "tolerance"],
+  ecu: ["hardware", "hil", "microcontroller"],
+};
+
 export function Nav() {
   const lab = useSelector(useLabContext().labAddress);
   const search = useRun(lab);
@@ -44,7 +53,12 @@ export function Nav() {
   const width = section === "lab" ? "lg" : "sm";
   const navigate = useNavigate();
   usePaletteEntries([
-    ...entries.map(({ label, link }) => ({ group: "Pages" as const, label, run: () => void navigate(link) })),
+    ...entries.map(({ section, label, link }) => ({
+      group: "Pages" as const,
+      label,
+      searchWords: SEARCH_WORDS[section],
+      run: () => void navigate(link),
+    })),
     { group: "Pages", label: "Manual", run: () => void window.open(MANUAL, "_blank", "noopener") },
   ]);
   return (

@@ -17,6 +17,7 @@ import {
   letterKeys,
   useActionButton,
 } from "../lab/actions";
+import { hasWords, wordsOf } from "../lib/search";
 import { DataTable } from "../ui/DataTable";
 import { Icon } from "../ui/icons";
 import { MANUAL } from "../ui/manual";
@@ -34,6 +35,7 @@ const runnable = (): readonly Item[] =>
   ACTION_IDS.filter(canRun).map((id) => ({
     group: "Lab",
     label: ACTIONS[id].label,
+    searchWords: ACTIONS[id].searchWords,
     keys: ACTIONS[id].keys?.find(isKeyOn),
     run: () => runAction(id),
   }));
@@ -46,15 +48,19 @@ const spotlightAction = (item: Item, index: number, choose: (item: Item) => void
   onClick: () => choose(item),
 });
 
-/** Every word of the query somewhere in an item's texts; without a query everything but the many fields. */
+/** Every word of the query somewhere in an item's texts, those in its name first; without a query everything but the many fields. */
 function matching(all: readonly Item[], query: string): readonly Item[] {
-  const words = query.toLowerCase().split(/\s+/).filter(Boolean);
+  const words = wordsOf(query);
   if (words.length === 0) return all.filter(({ group }) => group !== "Fields");
-  const matching = all.filter(({ label, description = "", group }) =>
-    words.every((word) => `${label} ${description} ${group}`.toLowerCase().includes(word)),
-  );
   const begins = ({ label }: Item) => label.toLowerCase().startsWith(words[0] ?? "");
-  return [...matching.filter(begins), ...matching.filter((item) => !begins(item))].slice(0, MOST);
+  const isNamed = (item: Item) => hasWords(item.label, words);
+  const rank = (item: Item) => (begins(item) ? 0 : isNamed(item) ? 1 : 2);
+  return all
+    .filter(({ label, description = "", group, searchWords }) =>
+      hasWords(`${label} ${description} ${group}`, words, searchWords),
+    )
+    .sort((one, other) => rank(one) - rank(other))
+    .slice(0, MOST);
 }
 
 export function Palette({ onClose }: { readonly onClose: () => void }) {

@@ -12,6 +12,8 @@ interface Declared {
   readonly short?: string;
   /** `mod+Z`, `Space`; `mod` is Ctrl, on a Mac the command key. */
   readonly keys?: readonly string[];
+  /** What people may look for it by, beside its label. */
+  readonly searchWords?: readonly string[];
 }
 
 const DECLARED = {
@@ -29,18 +31,46 @@ const DECLARED = {
   pin: { label: "Pin: keep this result to compare others with it", short: "Pin", keys: ["P"] },
   differences: { label: "Plot differences, or the signals themselves", short: "Plot differences", keys: ["D"] },
   equalSpeed: { label: "Compare at equal speed" },
-  solve: { label: "How fast may it go? A metric over speed, and its limit", keys: ["S"] },
+  solve: {
+    label: "How fast may it go? A metric over speed, and its limit",
+    keys: ["S"],
+    searchWords: ["maximum", "solve", "hump", "bump", "height", "comfort"],
+  },
   bump: { label: "Zoom to the bump", short: "Bump", keys: ["B"] },
   whole: { label: "Show the whole run", short: "Whole run", keys: ["A"] },
   axis: { label: "Plots over distance, or over time", keys: ["X"] },
-  frequencies: { label: "Frequencies: responses, modes and margins" },
+  frequencies: {
+    label: "Frequencies: responses, modes and margins",
+    searchWords: [
+      "natural",
+      "frequency",
+      "damping",
+      "ratio",
+      "bode",
+      "stability",
+      "transfer",
+      "function",
+      "spectrum",
+      "psd",
+      "resonance",
+    ],
+  },
   fuzzy: { label: "Fuzzy speed controller: sets, rules and surface", short: "Edit" },
-  library: { label: "Library: save, open, import and export", short: "Library", keys: ["mod+S"] },
+  library: {
+    label: "Library: save, open, import and export",
+    short: "Library",
+    keys: ["mod+S"],
+    searchWords: ["file", "measured", "road", "recorded", "drive", "csv", "crg", "vehicle", "scenario", "requirements"],
+  },
   saveVehicle: { label: "Save the vehicle in the library" },
   paper: { label: "Open the paper’s scenario" },
   reset: { label: "Reset all values to the paper’s", short: "Reset all" },
   copy: { label: "Open a copy to edit" },
-  sweep: { label: "Sweep: run many variants of this scenario", short: "Sweep…" },
+  sweep: {
+    label: "Sweep: run many variants of this scenario",
+    short: "Sweep…",
+    searchWords: ["batch", "grid", "parameter", "study", "vary"],
+  },
   share: { label: "Share: make a link", short: "Share" },
   report: { label: "Export HTML report", short: "HTML report" },
   png: { label: "Export plots: PNG picture", short: "PNG picture" },
@@ -109,6 +139,8 @@ export interface PaletteEntry {
   readonly group: "Pages" | "Files" | "Strategies" | "Library" | "Presets" | "Fields";
   readonly label: string;
   readonly description?: string;
+  /** What people may look for it by, beside its label and description. */
+  readonly searchWords?: readonly string[] | undefined;
   readonly run: () => void;
 }
 

@@ -105,6 +105,16 @@ describe("a search over all fields", () => {
     expect(pointers("banana")).toEqual([]);
   });
 
+  it("finds by the words that people have for a field, in singular and plural", () => {
+    expect(names("pothole")).toEqual(["/road/bump/height"]);
+    expect(names("humps")).toEqual(["/road/bump/height"]);
+    expect(names("speed bump")).toEqual(["/road/bump/height"]);
+    expect(names("speed")).toEqual([]);
+    expect(names("frequencies")).toEqual(["/mpc/lag"]);
+    expect(names("frequency mpc")).toEqual(["/mpc/lag"]);
+    expect(names("comfort")).toEqual(["/mpc/weights/0", "/mpc/weights/1"]);
+  });
+
   it("finds a section by what it offers", () => {
     const keys = (text: string) =>
       foundIn(sections(FORM), text, { "/road/bump": ["Watts hump, long"] }).map(({ key, members }) => [

@@ -10,6 +10,8 @@ interface Base {
   readonly description: string;
   /** The paper's value. */
   readonly paperValue: JsonValue;
+  /** Words, and phrases, that people may look for it by beside its title and help. */
+  readonly searchWords?: readonly string[];
 }
 
 export interface NumberField extends Base {
@@ -122,6 +124,7 @@ class Reader {
       title: text(raw.title) || (node.properties ? humanise(name) : text(node.title) || humanise(name)),
       description: text(node.description),
       paperValue,
+      searchWords: list(node.search_words).map(text),
     };
     if (isObject(node.properties)) return this.group(node, pointer, base.title, paperValue);
     if (Array.isArray(node.enum))
@@ -142,7 +145,13 @@ class Reader {
       if (item === null) return [];
       const title = titles[index] ?? String(index + 1);
       const paperValue = list(base.paperValue)[index] ?? null;
-      const field = this.#number(item, { pointer: child(base.pointer, index), title, description: "", paperValue });
+      const field = this.#number(item, {
+        pointer: child(base.pointer, index),
+        title,
+        description: "",
+        paperValue,
+        searchWords: base.searchWords ?? [],
+      });
       return field ? [field] : [];
     });
     return { ...base, kind: "vector", items };

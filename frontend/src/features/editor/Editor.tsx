@@ -8,6 +8,7 @@ import classes from "./editor.module.css";
 import { changedPointers, leavesOf, resetMember, type Leaf, OWN } from "../../scenario/differences";
 import { useSelector } from "@tanstack/react-store";
 import { Members } from "./Members";
+import { hasWords, wordsOf } from "../../lib/search";
 import type { Pointer } from "../../scenario/path";
 import { type Group, findMember, optionTitle, type Member } from "../../scenario/schema";
 import { Icon } from "../../ui/icons";
@@ -20,6 +21,8 @@ import { useVehicles, VehicleChoice } from "./VehicleChoice";
 const isLaw = (pointer: Pointer) => pointer.startsWith(OWN);
 
 const [VEHICLE, BUMP] = ["/vehicle", "/road/bump"];
+/** What the section says of the vehicle as a whole. */
+const VEHICLE_WORDS = "car natural frequencies damping ratios static sag data sheet total mass axle loads";
 
 export function Editor({ form }: { readonly form: Group }) {
   const edit = useEdit();
@@ -36,7 +39,7 @@ export function Editor({ form }: { readonly form: Group }) {
   const [search, setSearch] = useState("");
   const searching = search.trim() !== "";
   const { sourced, own } = useVehicles();
-  const vehicles = [...sourced, ...own].map(({ label }) => label);
+  const vehicles = [...sourced, ...own].map(({ label }) => `${label} ${VEHICLE_WORDS}`);
   const shownSections = searching ? foundIn(all, search, { [VEHICLE]: vehicles }) : all;
   const sought = useSelector(revealed);
   const itsSection = sought && all.find((section) => contains(section, [sought]))?.key;
@@ -231,15 +234,11 @@ export function foundIn(all: readonly Section[], text: string, offers: Offers = 
   return named.length > 0 ? named : all.flatMap((section) => matching(section, text, textsOf) ?? []);
 }
 
-/** What is left of a section where every word has to stand in a field's name, in the names of the parts it lies in, or in what else it says. */
+/** What is left of a section where every word has to stand in a field's name, in the names of the parts it lies in, in what it may be looked for by, or in what else it says. */
 export function matching(section: Section, text: string, more: (leaf: Leaf) => string = () => ""): Section | null {
   const members = withWords(section.members, section.title, wordsOf(text), more);
   return members.length === 0 ? null : { ...section, members };
 }
-
-const wordsOf = (text: string): readonly string[] => text.toLowerCase().split(/\s+/).filter(Boolean);
-
-const hasWords = (text: string, words: readonly string[]) => words.every((word) => text.toLowerCase().includes(word));
 
 /** A field's options, unit and help text. */
 function textsOf(leaf: Leaf): string {
@@ -263,6 +262,6 @@ function withWords(
     const entries = member.kind === "vector" ? member.items.map(({ title }) => title).join(" ") : "";
     const texts = `${member.kind === "vector" ? member.description : ""} ${leavesOf(member).map(more).join(" ")}`;
     const names = `${inside} ${entries} ${member.pointer.slice(1).replace(/\//g, ".")} ${texts}`;
-    return hasWords(names, words) ? [member] : [];
+    return hasWords(names, words, member.searchWords) ? [member] : [];
   });
 }

@@ -71,9 +71,10 @@ export function LabActions() {
       description,
       run: () => toggle(id),
     })),
-    ...sweepFields(form).map(({ title, section, leaf }): PaletteEntry => ({
+    ...sweepFields(form).map(({ name, title, section, leaf }): PaletteEntry => ({
       group: "Fields",
       label: title,
+      searchWords: [name, ...(leaf.searchWords ?? [])],
       description: `${section}${leaf.kind === "choice" ? `: ${leaf.options.map(optionTitle).join(", ").toLowerCase()}` : ""}`,
       run: () => revealed.set(leaf.pointer),
     })),
