@@ -18,7 +18,7 @@ from ridelab.requirements import RequirementResult
 from ridelab.results import Interval, Link, LinkedResult, Outcome, RunResult, Solution, Stage, Statistics
 from ridelab.streams import Event
 
-__version__ = "0.4.0"  # the core's; a test holds them equal
+__version__ = "0.5.0"  # the core's; a test holds them equal
 
 __all__ = [
     "Batch",
