@@ -1,24 +1,17 @@
 """The same scenario over several roads: mean of every metric and the paired change against a baseline.
 
-One road's peaks are partly luck: which part of the roughness meets the bump, and where the control grid lies. Roads
-differ in their seed alone, and every strategy drives the same ones, so that a change is of pairs. What one road alone
-cannot tell from luck is smaller than `one_road_resolution`.
+Roads differ in their seed alone, and every strategy drives the same ones, so that a change is of pairs. What the
+numbers mean is `sim_core.comparison`'s: here they are only put into the shape of a result.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from backend.intervals import Interval, changes_with_intervals, means_with_intervals
-from sim_core import PredictiveController, Scenario
-from sim_core.catalogue import PEAK, RMS
-from sim_core.strategies import strategies
+from sim_core import Scenario
+from sim_core.comparison.intervals import Interval, changes_with_intervals, means_with_intervals
 
 MAX_ROADS = 50
-
-# Smaller changes [%] on one road may be luck (docs/explanation/luck.md).
-_RESOLUTION = 7.0
-_RESOLUTION_OF_PREDICTIVE_PEAKS = 15.0
 
 # Numbers by name, in mappings of any depth: {"bump": {"body_acceleration": {"rms": 1.2, "peak": 3.4}}}
 Numbers = Mapping[str, Any]
@@ -27,8 +20,8 @@ Changes = Mapping[str, Numbers]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Comparison:
-    """Strategies over the same roads.
+class OverRoads:
+    """What strategies have over the same roads.
 
     Attributes:
         means: strategy -> the numbers of one road, each replaced by the mean over the roads with its 95 % interval.
@@ -49,27 +42,13 @@ def seeded(scenario: Scenario, roads: int) -> list[Scenario]:
     ]
 
 
-def default_baseline(strategies: Sequence[str]) -> str:
-    """The default baseline of changes: passive, or the first strategy where passive is not run."""
-    return "passive" if "passive" in strategies else strategies[0]
-
-
-def one_road_resolution(strategy: str) -> dict[str, float]:
-    """By statistic the smallest change [%] that one road tells from luck; an RMS's is also that of comfort figures.
-
-    Of two strategies the larger one counts; one that is there no more counts as predictive.
-    """
-    predictive = issubclass(strategies().get(strategy, PredictiveController), PredictiveController)
-    return {RMS: _RESOLUTION, PEAK: _RESOLUTION_OF_PREDICTIVE_PEAKS if predictive else _RESOLUTION}
-
-
 def numbers(metrics: Numbers, comfort: Numbers) -> Numbers:
     """What of one strategy's result on one road has a mean: its metrics by window, and `comfort` beside them."""
     return {**metrics, "comfort": comfort}
 
 
-def compare(driven: Mapping[str, Sequence[Numbers]], baseline: str) -> Comparison:
-    """Mean and paired change of every number.
+def means_and_changes(driven: Mapping[str, Sequence[Numbers]], baseline: str) -> OverRoads:
+    """Return the mean of every number and its paired change against the baseline.
 
     Args:
         driven: strategy -> its numbers on each road, the same roads in the same order for all.
@@ -80,7 +59,7 @@ def compare(driven: Mapping[str, Sequence[Numbers]], baseline: str) -> Compariso
     """
     samples = {name: _sample(roads) for name, roads in driven.items()}
     others = [name for name in driven if baseline in driven and name != baseline]
-    return Comparison(
+    return OverRoads(
         means={name: _like(driven[name][0], means_with_intervals(sample)) for name, sample in samples.items()},
         changes={
             name: _like(driven[name][0], changes_with_intervals(samples[name], samples[baseline])) for name in others

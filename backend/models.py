@@ -137,9 +137,23 @@ class StrategiesRequest(RequestModel):
     strategies: list[StrategyName] = Field(min_length=1, max_length=32)
 
 
+def check_baseline_runs(baseline: str | None, info: ValidationInfo) -> str | None:
+    """Check that a baseline is one of the strategies that run, behind the field `strategies`."""
+    names = info.data.get("strategies")
+    if baseline is not None and names is not None and baseline not in names:
+        message = "One of the strategies that run: {names}"
+        raise PydanticCustomError("baseline_not_run", message, {"names": ", ".join(names)})
+    return baseline
+
+
 class LiveRequest(StrategiesRequest):
     """A run while somebody drags: nothing is stored, the answer has time histories."""
 
+    baseline: Annotated[StrategyName | None, AfterValidator(check_baseline_runs)] = Field(
+        None,
+        description="What the changes of `comparison` refer to, one of the strategies; null is passive, or the first "
+        "strategy where passive does not run",
+    )
     points: Points = DEFAULT_POINTS
     signals: list[SignalName] | None = Field(None, description="Time and position always come; none is all.")
     part: Literal["bump"] | None = Field(
@@ -268,12 +282,6 @@ class TypedArray(Answer):
     bdata: str
 
 
-class LiveResult(CachedResult):
-    """Figures and decimated time histories."""
-
-    series: dict[str, TypedArray] = keys_of(SIGNALS, "The same samples for every signal; SI units")
-
-
 class WithId(Answer):
     """What has an id; as the last base its id stands first."""
 
@@ -306,18 +314,13 @@ class CharacteristicsAnswer(Answer):
     damping_ratios: ModesAnswer = Field(description="Over critical [1]")
 
 
-class RunBase(Answer):
-    """What every form of a run has."""
+class CautionAnswer(Answer):
+    """Something that a reader of the numbers should beware of."""
 
-    core_version: str
-    scenario: Scenario
-    characteristics: CharacteristicsAnswer
-
-
-class LiveRun(RunBase):
-    """A run that is not stored."""
-
-    strategies: dict[str, Annotated[LiveResult | CachedFailure, Field(discriminator="status")]] = by_strategy()
+    kind: str = Field(description="What it is about, by which programs go")
+    text: str = Field(description="Whole sentences")
+    field: str | None = Field(description="The dotted scenario field to look at; null where there is none")
+    strategy: str | None = Field(description="Whose it is; null where it is of all")
 
 
 Histories = Annotated[

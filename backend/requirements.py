@@ -7,11 +7,11 @@ from typing import Annotated, Literal, Self
 from pydantic import AfterValidator, Field, TypeAdapter, ValidationError, ValidationInfo, model_validator
 
 from backend.errors import InvalidError
-from backend.intervals import Interval, change_with_interval, mean_with_interval
 from backend.json_types import Summary
-from backend.means_over_roads import default_baseline
 from backend.models import Answer, MetricName, RequestModel, StrategyId, inconsistent
 from sim_core.catalogue import METRICS
+from sim_core.comparison.compare import default_baseline
+from sim_core.comparison.intervals import Interval, change_with_interval, mean_with_interval
 
 MOST_REQUIREMENTS = 64
 LIMITS = ("max", "min", "max_change")

@@ -33,6 +33,10 @@ from sim_core.vehicle.model import SemiActiveDampers
 
 # isort: split
 from sim_core.check_controller import check_controller  # the strategies use what stands above
+from sim_core.comparison.caution import Caution
+from sim_core.comparison.change import Change
+from sim_core.comparison.compare import Comparison, compare
+from sim_core.comparison.verdict import Verdict
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
 
@@ -41,7 +45,10 @@ __all__ = [
     "Actuator",
     "Brake",
     "Bump",
+    "Caution",
+    "Change",
     "Characteristics",
+    "Comparison",
     "Controller",
     "CostTerms",
     "DampingController",
@@ -70,10 +77,12 @@ __all__ = [
     "StageWeights",
     "StrategyResult",
     "Vehicle",
+    "Verdict",
     "Weights",
     "axle_velocities",
     "characteristics",
     "check_controller",
+    "compare",
     "feedforward",
     "load_controllers",
     "option",

@@ -48,6 +48,9 @@ SIGNALS = _catalogue(
     Entry("rear_force", "Rear actuator force", "N", "lifts the body, presses the wheel down", symbol="u_2"),
 )
 
+# SI unit -> the unit in which a person reads it, and the factor to that; other units are shown as they are.
+SHOWN_UNITS = {"m": ("mm", 1000.0), "m/s": ("km/h", 3.6), "Pa": ("MPa", 1e-6), "N": ("kN", 1e-3)}
+
 # Those that a suspension changes: they get an RMS and a peak in each window.
 METRIC_SIGNALS = tuple(SIGNALS)[7:]
 

@@ -1,7 +1,7 @@
 """What a simulation returns: metrics always, time histories beside them."""
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import SIGNALS
+from sim_core.scenario import Scenario
 
 
 def no_columns(_: slice) -> Mapping[str, FloatArray]:
@@ -133,6 +134,7 @@ class StrategyResult:
 
     Attributes:
         strategy: Strategy id.
+        scenario: What was driven; of a recorded drive the scenario whose road it was placed on.
         metrics: Window -> signal -> statistic -> value in the signal's unit: `rough_road`, `bump` or `whole`; a signal
             from `body_acceleration` on; `rms` or `peak` (catalogue.WINDOWS, METRIC_SIGNALS, STATISTICS).
         comfort: Key -> value; keys and units are in catalogue.COMFORT.
@@ -156,6 +158,7 @@ class StrategyResult:
     """
 
     strategy: str
+    scenario: Scenario = field(repr=False)
     metrics: Mapping[str, Mapping[str, Mapping[str, float]]]
     comfort: Mapping[str, float]
     events: Mapping[str, float | bool | None]
@@ -167,7 +170,7 @@ class StrategyResult:
     recording: RecordingReport | None = None
 
     def summary(self) -> dict[str, Any]:
-        """Everything but the series and the strategy's id, ready for JSON."""
+        """Return everything but the series, the scenario and the strategy's id, ready for JSON."""
         of_recording = {} if self.recording is None else {"recording": asdict(self.recording)}
         return {
             "metrics": self.metrics,

@@ -32,7 +32,7 @@ from backend.runs.figures import PANELS
 from backend.runs.frequency import FrequencyAnswer, FrequencyRequest
 from backend.runs.fuzzy import FuzzyAnswer, FuzzyRequest
 from backend.runs.instants import InstantAnswer
-from backend.runs.models import CreatedRun, Run, RunRequest
+from backend.runs.models import CreatedRun, LiveRun, Run, RunRequest
 from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
 from backend.runs.reports.service import RunReports
 from backend.runs.service import Runs
@@ -77,14 +77,16 @@ async def create_run(body: RunRequest, service: RunsService, client: Client) -> 
 @computing.post(
     "/live",
     operation_id="live",
-    response_model=models.LiveRun,
+    response_model=LiveRun,
     responses={200: {"content": {BINARY: {}}}},
 )
 async def live(body: models.LiveRequest, service: RunsService, client: Client) -> Response:
     """Figures and decimated time histories while somebody drags; nothing is stored."""
     binary = body.encoding == "binary"
     sampling = Sampling(body.points, body.part)
-    content = await service.live(body.scenario, body.strategies, sampling, body.signals, client, binary=binary)
+    content = await service.live(
+        body.scenario, body.strategies, sampling, body.signals, client, baseline=body.baseline, binary=binary
+    )
     return content_answer(content, {}, BINARY if binary else MEDIA_TYPES["json"])
 
 
@@ -119,14 +121,30 @@ async def get_run(
     client: Client,
     requirements: Required = None,
     baseline: Annotated[
-        str | None, Query(description="What their changes refer to", min_length=1, max_length=64)
+        str | None,
+        Query(
+            description="The strategy that the changes of `comparison` and of requirements refer to; omitted is the "
+            "run's own, or passive, or the first",
+            min_length=1,
+            max_length=64,
+        ),
+    ] = None,
+    compare: Annotated[
+        str | None,
+        Query(description="Ids with commas: which strategies `comparison` is of, beside its baseline; omitted is all"),
     ] = None,
 ) -> Response:
     """A stored run; it changes only where its results were removed and another core version computes them again."""
     tag = f'W/"{run_id}"'  # weak: the body may be compressed
     if is_cached(request, tag) and await service.is_stored(run_id):
         return tagged(tag, IMMUTABLE)
-    work = service.get(run_id, client, requirements=_required(requirements), baseline=baseline)
+    work = service.get(
+        run_id,
+        client,
+        requirements=_required(requirements),
+        baseline=baseline,
+        compared=_names("compare", compare),
+    )
     return tagged(tag, IMMUTABLE, await cancel_on_disconnect(request, work))
 
 

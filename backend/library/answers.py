@@ -19,10 +19,10 @@ from backend.library.models import (
     StrategyAnswer,
     VehicleAnswer,
 )
-from backend.means_over_roads import one_road_resolution
 from backend.models import CharacteristicsAnswer
 from backend.runs import figures
 from sim_core import catalogue as core
+from sim_core.comparison.variation import one_road_resolution
 from sim_core.scenario import SCHEMA_VERSION, Scenario, characteristics, dotted
 from sim_core.scenario.presets import PRESETS
 from sim_core.scenario.vehicles import VEHICLES, VehiclePreset

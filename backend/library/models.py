@@ -50,8 +50,8 @@ class StrategyAnswer(Answer):
     options: JsonObject = Field(description="JSON Schema of its options, which a scenario sets as `own.ID.OPTION`")
     fault: str | None = Field(description="Why it cannot be driven at the moment: what is wrong with its file")
     one_road_resolution: dict[str, float] = Field(
-        description="Smaller changes [%] on one road may be luck; by statistic, comfort figures as an RMS. Of two "
-        "strategies the larger one counts"
+        description="Smaller changes [%] on one road may be random variation; by statistic, comfort metrics as an RMS. "
+        "Of two strategies the larger one counts"
     )
 
 

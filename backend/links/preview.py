@@ -7,9 +7,9 @@ from datetime import datetime
 from html import escape
 
 from backend.json_types import JsonObject
-from backend.runs.figures import label
 from backend.runs.reports.keys import inside
 from sim_core.catalogue import BUMP, METRICS, PAPER_SIGNALS, PEAK, SIGNALS, WHOLE, metric_key
+from sim_core.strategies import label_of
 
 SIGNALS_SHOWN = PAPER_SIGNALS[:2]
 FIELDS_SHOWN = 4
@@ -42,7 +42,7 @@ def of_run(run: JsonObject, view: JsonObject, computed_at: datetime) -> Preview:
         if main is not None and (text := _phrase(entries[main], entries.get(baseline or ""), window, signal))
     ]
     where = " on the bump" if window == BUMP else ""
-    who = label(main or "") + ("" if baseline is None else f" against {inside(label(baseline))}")
+    who = label_of(main or "") + ("" if baseline is None else f" against {inside(label_of(baseline))}")
     title = f"{who}: {phrases[0]}{where}" if phrases else "A stored run"
     facts = ", ".join(phrases)
     return Preview(
@@ -68,7 +68,7 @@ def of_batch(batch: JsonObject, computed_at: datetime) -> Preview:
     fields = [_field(field) for field in batch["fields"]]
     swept = " × ".join(fields[:FIELDS_SHOWN]) + (" × …" if len(fields) > FIELDS_SHOWN else "")
     count = f"{batch['total']:,}".replace(",", " ")
-    who = ", ".join(label(name) for name in batch["strategies"])
+    who = ", ".join(label_of(name) for name in batch["strategies"])
     failures = [f"{batch['failed']} failed"] if batch["failed"] else []
     state = [] if batch["state"] == "done" else [batch["state"]]
     return Preview(

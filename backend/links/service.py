@@ -226,9 +226,15 @@ def _sent(view: LinkView, requirements: Sequence[Requirement]) -> JsonObject:
 
 
 def _judged_run(stored: StoredRun, link: StoredLink) -> JsonObject:
-    """The answer about a link's run, held to the link's requirements."""
+    """Return the answer about a link's run: what its view shows is compared, and held to the link's requirements."""
     requirements = [Requirement.model_validate(each) for each in link.view.get(_REQUIREMENTS, [])]
-    return run_answer(stored, requirements=requirements, judged_against=link.view.get("baseline"))
+    shown = link.view.get("strategies") or list(stored.by_strategy)
+    return run_answer(
+        stored,
+        requirements=requirements,
+        judged_against=link.view.get("baseline"),
+        compared=set(shown) - set(link.view.get("hidden") or ()),
+    )
 
 
 def _opened(link: StoredLink, shown: StoredRun | StoredJob, scenario: JsonObject, **content: Any) -> JsonObject:

@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
-from backend.intervals import change_with_interval, mean_with_interval
 from backend.json_types import JsonObject
 from backend.paper import claims, models
 from backend.paper.attribution import COMFORT_FIGURES, EQUAL_SPEED, FACTORS, VARIANTS, compared, sentences, shares
@@ -14,6 +13,7 @@ from backend.paper.readings import INTERPRETATIONS, READINGS, Interpretation, Re
 from backend.paper.rows import Rows
 from backend.paper.tables import TABLES, PaperCell, PaperTable, cells
 from sim_core import __version__ as CORE_VERSION
+from sim_core.comparison.intervals import change_with_interval, mean_with_interval
 
 RunsByVariant = Sequence[Mapping[str, JsonObject]]  # of each road
 

@@ -10,9 +10,9 @@ from itertools import permutations
 from math import log
 from typing import Any, Literal
 
-from backend.intervals import Interval, change_with_interval
 from backend.paper.claims import FIGURES, scenario_for
 from sim_core import SpeedPlan
+from sim_core.comparison.intervals import Interval, change_with_interval
 from sim_core.scenario import Preview, Scenario, StageWeights, dotted
 
 Law = Literal["passive", "lqr", "mpc"]

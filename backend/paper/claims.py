@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
-from backend.intervals import Interval, change_with_interval
 from backend.paper.readings import READINGS, changes_of
 from backend.paper.tables import PaperCell, cells
 from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
+from sim_core.comparison.intervals import Interval, change_with_interval
 from sim_core.metrics.evaluate import rms_between
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario, dotted

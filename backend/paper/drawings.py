@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 
-from backend.intervals import mean_with_interval
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
 from backend.paper.models import PaperFigure
@@ -13,6 +12,7 @@ from backend.paper.paper_rows import SPEEDS_KMH
 from backend.runs.figures import PANELS, STYLES, filled, templates
 from backend.runs.series import packed
 from sim_core.catalogue import PAPER_SIGNALS, SIGNALS
+from sim_core.comparison.intervals import mean_with_interval
 from sim_core.strategies import STRATEGIES
 
 # First figure of each group of four (one for every paper signal) -> its title and whom it shows.

@@ -4,21 +4,23 @@ They have the shapes of `backend.models` and `backend.runs.over_roads`; what is 
 Over 50 roads they take 0.2 s: they are made in threads, beside the event loop.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import asdict, replace
 from math import isfinite
 
 import orjson
 
 from backend.errors import InvalidError
-from backend.intervals import Interval
 from backend.json_types import JsonObject
-from backend.means_over_roads import Changes, Comparison, Numbers, compare, default_baseline, numbers, paired_changes
+from backend.means_over_roads import Changes, Numbers, OverRoads, means_and_changes, numbers, paired_changes
 from backend.outcome import Outcome
 from backend.requirements import Driven, Requirement, judge
 from backend.runs import series
 from backend.store import StoredRun
 from sim_core import __version__ as CORE_VERSION
+from sim_core.catalogue import PAPER_METRICS
+from sim_core.comparison.compare import Comparison, compare_summaries, default_baseline
+from sim_core.comparison.intervals import Interval
 from sim_core.scenario import Scenario, Vehicle, characteristics
 
 
@@ -29,15 +31,17 @@ def run_answer(
     cached: Mapping[str, bool] | None = None,
     requirements: Sequence[Requirement] = (),
     judged_against: str | None = None,
+    compared: Collection[str] | None = None,
 ) -> JsonObject:
-    """A stored run, for orjson.
+    """Return the answer about a stored run, for orjson.
 
     Args:
         stored: The run, its scenario today's.
         baseline: What the changes over several roads refer to; None is the run's own.
         cached: To the request that created it, by strategy whether nothing of it was computed for that one.
         requirements: What its strategies are held to.
-        judged_against: The strategy that their changes refer to, where one was named.
+        judged_against: The strategy that their changes and those of `comparison` refer to, where one was named.
+        compared: The strategies that `comparison` is of, beside its baseline; None is all.
     """
     fields: dict[str, JsonObject] = {name: {} for name in stored.by_strategy}
     if cached is not None:
@@ -50,19 +54,33 @@ def run_answer(
     }
     if requirements:
         head["requirement_results"] = _judged(stored, requirements, judged_against or baseline)
+    head["comparison"] = _comparison(stored, judged_against or baseline, compared)
     if stored.roads == 1:
         return head | {"strategies": {item.strategy: item.answer(**fields[item.strategy]) for item in stored.results}}
     baseline = baseline or stored.baseline or ""
-    comparison = compare(_driven(stored), baseline)
+    over_roads = means_and_changes(_driven(stored), baseline)
     return head | {
         "roads": stored.roads,
         "baseline": baseline,
-        "changes": _plain_changes(comparison.changes),
+        "changes": _plain_changes(over_roads.changes),
         "strategies": {
-            name: _entry_over_roads(items, fields[name], comparison, stored.scenario["road"]["seed"])
+            name: _entry_over_roads(items, fields[name], over_roads, stored.scenario["road"]["seed"])
             for name, items in stored.by_strategy.items()
         },
     }
+
+
+def _comparison(stored: StoredRun, baseline: str | None, compared: Collection[str] | None) -> Comparison:
+    """Return what the strategies that succeeded on every road mean beside each other."""
+    names = list(stored.by_strategy)
+    against = baseline or stored.baseline or default_baseline(names)
+    summaries = {
+        item.strategy: [each.summary for each in stored.by_strategy[item.strategy]]
+        for item in stored.shown
+        if compared is None or item.strategy == against or item.strategy in compared
+    }
+    is_random = Scenario.model_validate(stored.scenario).is_random
+    return compare_summaries(summaries, against, is_random=is_random)
 
 
 def _judged(stored: StoredRun, requirements: Sequence[Requirement], baseline: str | None) -> list[JsonObject]:
@@ -84,17 +102,28 @@ def as_plain(answer: JsonObject) -> JsonObject:
     return plain
 
 
-def live_json(scenario: Scenario, outcomes: Mapping[str, Outcome], signals: Sequence[str]) -> bytes:
-    """A run that is not stored, with the time histories of these signals in base64."""
+def live_json(
+    scenario: Scenario, outcomes: Mapping[str, Outcome], signals: Sequence[str], baseline: str | None
+) -> bytes:
+    """Return a run that is not stored, with the time histories of these signals in base64.
+
+    Args:
+        scenario: What was driven.
+        outcomes: By strategy.
+        signals: Whose time histories are in it.
+        baseline: What the changes of `comparison` refer to; None is passive, or the first strategy.
+    """
 
     def typed(values: series.SeriesArray) -> JsonObject:
         return {key: series.packed(values[series.ROWS[key]]) for key in signals}
 
-    return _live(scenario, outcomes, typed)
+    return _live(scenario, outcomes, typed, baseline)
 
 
-def live_binary(scenario: Scenario, outcomes: Mapping[str, Outcome], signals: Sequence[str]) -> bytes:
-    """The same in a third less: the length of its JSON (uint32), the JSON, then all numbers as float32, little-endian.
+def live_binary(
+    scenario: Scenario, outcomes: Mapping[str, Outcome], signals: Sequence[str], baseline: str | None
+) -> bytes:
+    """Return the same in a third less: the length of its JSON (uint32), the JSON, all numbers as little-endian float32.
 
     JSON has `signals` and `samples` of each strategy that succeeded, whose numbers follow each other in its order. They
     begin at a multiple of four bytes, as spaces end the JSON.
@@ -105,13 +134,16 @@ def live_binary(scenario: Scenario, outcomes: Mapping[str, Outcome], signals: Se
         numbers.append(values[[series.ROWS[key] for key in signals]].astype("<f4", copy=False).tobytes())
         return {"signals": signals, "samples": values.shape[1]}
 
-    head = _live(scenario, outcomes, described)
+    head = _live(scenario, outcomes, described, baseline)
     head += b" " * (-len(head) % 4)
     return b"".join((len(head).to_bytes(4, "little"), head, *numbers))
 
 
 def _live(
-    scenario: Scenario, outcomes: Mapping[str, Outcome], described: Callable[[series.SeriesArray], JsonObject]
+    scenario: Scenario,
+    outcomes: Mapping[str, Outcome],
+    described: Callable[[series.SeriesArray], JsonObject],
+    baseline: str | None,
 ) -> bytes:
     def entry(outcome: Outcome) -> orjson.Fragment:
         values = outcome.series
@@ -122,6 +154,12 @@ def _live(
         "core_version": CORE_VERSION,
         "scenario": scenario.model_dump(mode="json"),
         "characteristics": asdict(characteristics(scenario.vehicle)),
+        "comparison": compare_summaries(
+            {name: [outcome.summary] for name, outcome in outcomes.items() if outcome.status == "ok"},
+            baseline or default_baseline(list(outcomes)),
+            is_random=scenario.is_random,
+            metrics=PAPER_METRICS,
+        ),
     }
     return orjson.dumps(head | {"strategies": strategies})
 
@@ -137,7 +175,7 @@ def changes_to_strategy(stored: StoredRun, baseline: str) -> JsonObject:
     if baseline not in driven:
         message = f"This run has {', '.join(driven) or 'no strategy'}; the baseline is one of them"
         raise InvalidError(message, parameter="baseline")
-    changes = _plain_changes(compare(driven, baseline).changes)
+    changes = _plain_changes(means_and_changes(driven, baseline).changes)
     return {"against": None, "baseline": baseline, "roads": stored.roads, "changes": changes}
 
 
@@ -173,7 +211,7 @@ def _driven(stored: StoredRun) -> dict[str, list[Numbers]]:
 
 
 def _entry_over_roads(
-    items: Sequence[Outcome], fields: JsonObject, comparison: Comparison, first_seed: int
+    items: Sequence[Outcome], fields: JsonObject, over_roads: OverRoads, first_seed: int
 ) -> orjson.Fragment | JsonObject:
     """The first road's entry with the means of all, or why one of them failed."""
     compute_ms = round(sum(item.compute_ms for item in items), 2)
@@ -183,7 +221,7 @@ def _entry_over_roads(
         content = failure.summary
         content["reason"] = f"Road seed {seed}: {content['reason']}"
         return replace(failure, compute_ms=compute_ms, json=orjson.dumps(content)).answer(**fields)
-    means = _plain(comparison.means[items[0].strategy])
+    means = _plain(over_roads.means[items[0].strategy])
     of_all = {"compute_ms": compute_ms, "comfort": means.pop("comfort"), "metrics": means}
     return {"status": "ok", "source": None, **fields, **items[0].summary, **of_all}
 

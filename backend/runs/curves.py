@@ -10,12 +10,12 @@ from backend.file_formats import FormatName
 from backend.gate import Gate
 from backend.http.spool import SpoolFile
 from backend.json_types import JsonObject
-from backend.means_over_roads import default_baseline
 from backend.runs import deviations, exports, figures, series
 from backend.runs.deviations import Deviations
 from backend.runs.histories import Histories
 from backend.runs.service import Runs, ordered
 from sim_core.catalogue import SIGNALS
+from sim_core.comparison.compare import default_baseline
 
 
 @dataclass(eq=False, kw_only=True)

@@ -14,9 +14,9 @@ import numpy as np
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
 from backend.runs.series import ROWS, SeriesArray, packed
-from sim_core.catalogue import METRIC_SIGNALS, REFERENCES, SIGNALS, STAGES
+from sim_core.catalogue import METRIC_SIGNALS, REFERENCES, SHOWN_UNITS, SIGNALS, STAGES
 from sim_core.scenario.recorded import recording_id
-from sim_core.strategies import strategies
+from sim_core.strategies import label_of, strategies
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,8 +54,6 @@ RECORDED = (  # for recordings, by their id: the darkest, on a dark screen the l
 )
 _GONE = Style(colour="#868E96", dark_colour="#868E96", dash="solid")  # of one that is there no more
 
-# SI unit -> the unit a plot shows and the factor to it.
-SHOWN_UNITS = {"m": ("mm", 1000.0), "m/s": ("km/h", 3.6), "Pa": ("MPa", 1e-6), "N": ("kN", 1e-3)}
 NEUTRAL = "#868E96"  # reference lines and stages: 3:1 on white and on #1a1b1e
 STAGE_FILLS = {"brake": "rgba(213, 94, 0, 0.10)", "bump": "rgba(0, 114, 178, 0.13)"}  # cruise stays clear
 BRAKING = 0.02e6  # the brakes are on from this pressure [Pa]
@@ -100,14 +98,6 @@ PANELS: dict[str, Panel] = {
 }
 
 
-def label(strategy: str) -> str:
-    """What a strategy or a recording is called; its id where it is there no more."""
-    if (recording := recording_id(strategy)) is not None:
-        return f"Recording {recording[:6]}"
-    entry = strategies().get(strategy)
-    return strategy if entry is None else entry.label
-
-
 def style_of(strategy: str) -> Style:
     """How a strategy is drawn."""
     if (recording := recording_id(strategy)) is not None:
@@ -134,7 +124,7 @@ def filled(name: str, outcomes: Mapping[str, Outcome], axis: str) -> JsonObject:
     """
     members = {name: outcome.series for name, outcome in outcomes.items() if outcome.series is not None}
     offered = {name: each.label for name, each in strategies().items()}
-    labels = {**offered, **{name: label(name) for name in members if name not in offered}}
+    labels = {**offered, **{name: label_of(name) for name in members if name not in offered}}
     panel = PANELS[name]
     template = _template(panel, tuple(labels.items()))
     summaries = {name: outcomes[name].summary for name in members}

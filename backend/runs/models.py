@@ -2,23 +2,29 @@
 
 from typing import Annotated
 
-from pydantic import ConfigDict, Field, ValidationInfo, field_validator
+from pydantic import AfterValidator, ConfigDict, Field, ValidationInfo, field_validator
 from pydantic_core import PydanticCustomError
 
 from backend.models import (
+    Answer,
     CachedFailure,
     CachedResult,
+    CharacteristicsAnswer,
     RequestModel,
     RoadCount,
-    RunBase,
     SentScenario,
     ShownStrategy,
     StrategyFailure,
     StrategyResult,
+    TypedArray,
     WithId,
     by_strategy,
+    check_baseline_runs,
+    keys_of,
 )
 from backend.requirements import RequirementResult, Requirements
+from backend.runs.comparison_models import ComparisonAnswer
+from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import recording_id
 
@@ -29,10 +35,10 @@ class RunRequest(RequestModel):
     scenario: SentScenario = Scenario()
     strategies: list[ShownStrategy] = Field(min_length=1, max_length=32, description="A recording is of one road.")
     roads: RoadCount = 1
-    baseline: ShownStrategy | None = Field(
+    baseline: Annotated[ShownStrategy | None, AfterValidator(check_baseline_runs)] = Field(
         None,
-        description="What the changes over several roads refer to, one of the strategies; null is passive, or the "
-        "first strategy where passive does not run",
+        description="What changes refer to, one of the strategies; null is passive, or the first strategy where "
+        "passive does not run",
     )
 
     @field_validator("roads")
@@ -42,16 +48,28 @@ class RunRequest(RequestModel):
             raise PydanticCustomError("one_road", "A recording is of one road: roads can only be 1")
         return roads
 
-    @field_validator("baseline")
-    @classmethod
-    def _baseline_runs(cls, baseline: str | None, info: ValidationInfo) -> str | None:
-        names = info.data.get("strategies")
-        if baseline is not None and names is not None and baseline not in names:
-            message = "One of the strategies that run: {names}"
-            raise PydanticCustomError("baseline_not_run", message, {"names": ", ".join(names)})
-        return baseline
-
     requirements: Requirements = Field([])
+
+
+class RunBase(Answer):
+    """What every form of a run has."""
+
+    core_version: str
+    scenario: Scenario
+    characteristics: CharacteristicsAnswer
+    comparison: ComparisonAnswer
+
+
+class LiveResult(CachedResult):
+    """Figures and decimated time histories."""
+
+    series: dict[str, TypedArray] = keys_of(SIGNALS, "The same samples for every signal; SI units")
+
+
+class LiveRun(RunBase):
+    """A run that is not stored."""
+
+    strategies: dict[str, Annotated[LiveResult | CachedFailure, Field(discriminator="status")]] = by_strategy()
 
 
 class JudgedRun(RunBase, WithId):

@@ -15,7 +15,7 @@ from backend.errors import (
 )
 from backend.gate import Gate
 from backend.json_types import JsonObject
-from backend.means_over_roads import default_baseline, seeded
+from backend.means_over_roads import seeded
 from backend.metrics import CACHE
 from backend.outcome import Outcome, Sampling
 from backend.recordings.service import Recordings
@@ -34,6 +34,7 @@ from backend.runs.series import ordered_signals
 from backend.store import Store, StoredRun
 from backend.store.roads import measured_roads
 from sim_core import __version__ as CORE_VERSION
+from sim_core.comparison.compare import default_baseline
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.recorded import recording_id
 from sim_core.scenario.versions import NewerScenarioError, restored
@@ -112,15 +113,32 @@ class Runs:
         return await self.store.read(self.store.runs.is_stored, run_id)
 
     async def get(
-        self, run_id: str, client: str, *, requirements: Sequence[Requirement] = (), baseline: str | None = None
+        self,
+        run_id: str,
+        client: str,
+        *,
+        requirements: Sequence[Requirement] = (),
+        baseline: str | None = None,
+        compared: Sequence[str] | None = None,
     ) -> JsonObject:
-        """The stored run, held to requirements.
+        """Return the stored run, its strategies compared and held to requirements.
+
+        Args:
+            run_id: The run.
+            client: Who asks.
+            requirements: What its strategies are held to.
+            baseline: The strategy that changes refer to; None is the run's own, or passive, or the first.
+            compared: The strategies that are compared beside it; None is all.
 
         Raises:
             NotFoundError: There is none.
+            InvalidError: It has no such strategy as `baseline` or one of `compared`.
         """
         stored = await self.stored(run_id, client)
-        return await asyncio.to_thread(partial(run_answer, stored, judged_against=baseline, requirements=requirements))
+        check_has(stored, "baseline", [] if baseline is None else [baseline])
+        check_has(stored, "compare", compared or ())
+        answer = partial(run_answer, stored, judged_against=baseline, requirements=requirements, compared=compared)
+        return await asyncio.to_thread(answer)
 
     async def changes(self, run_id: str, client: str, *, against: str | None, baseline: str | None) -> JsonObject:
         """What a run over several roads changes against another one, or its strategies against one of them.
@@ -146,15 +164,16 @@ class Runs:
         signals: Sequence[str] | None,
         client: str,
         *,
+        baseline: str | None,
         binary: bool,
     ) -> bytes:
-        """Figures and decimated time histories of that scenario, as JSON or `binary`; nothing is stored."""
+        """Return metrics and decimated time histories of that scenario, as JSON or `binary`; nothing is stored."""
         names, scenario = ordered(strategies), await self.roads.with_length(scenario)
         costs = costs_of(scenario, names)
         self.gate.check_cost(sum(costs.values()))
         outcomes = await self.results.get(scenario, names, client, sampling=sampling, costs=costs)
         render = live_binary if binary else live_json
-        return render(scenario, outcomes, ordered_signals(signals))
+        return await asyncio.to_thread(render, scenario, outcomes, ordered_signals(signals), baseline)
 
     async def stored(self, run_id: str, client: str) -> StoredRun:
         """The run; one whose results were removed is computed again.
@@ -225,6 +244,19 @@ class Runs:
         )
         await self.store.write(self.store.runs.recompute, again)
         return again
+
+
+def check_has(stored: StoredRun, parameter: str, names: Iterable[str]) -> None:
+    """Check that a run has these strategies, whether they succeeded or not.
+
+    Raises:
+        InvalidError: It has not; of that parameter.
+    """
+    if not set(names) <= stored.by_strategy.keys():
+        message = f"This run has {', '.join(stored.by_strategy)}; the {parameter} is one of them"
+        if parameter == "compare":
+            message = f"This run has {', '.join(stored.by_strategy)}: only these can be compared"
+        raise InvalidError(message, parameter=parameter)
 
 
 def ordered(strategies: Iterable[str]) -> list[str]:

@@ -3,11 +3,11 @@
 import math
 from collections.abc import Mapping, Sequence
 
-from backend.intervals import change_with_interval, mean_with_interval
 from backend.store.trials import StoredTrial
 from backend.tunings import front
 from backend.tunings.comparison_models import ComparedFigure, ComparedPoint, TunedChange, TunedFigures, Verdict
 from backend.tunings.measure import Aims, Failure, Measured, RunsByRoad, mean
+from sim_core.comparison.intervals import change_with_interval, mean_with_interval
 
 PAPER, SCENARIO, KNEE = "paper", "scenario", "knee"
 

@@ -273,8 +273,8 @@ class Solution:
         value: The value, in `unit`.
         metric_value: What is held to the limit, in `metric_unit`: over several roads the interval's upper end.
         interval: The metric at that value over the roads; None for one road.
-        resolution: Smallest change of the metric [%] that is more than luck; None where there is no luck, or none
-            known.
+        resolution: Smallest change of the metric [%] that is more than random variation; None where nothing is random,
+            or none is known.
         resolved_value: The value in no more digits than that leaves it, rounded down; not driven itself.
         bracket: The value, and the next larger one, which does not keep the limit or could not be tried; twice the
             value at the top of the range.

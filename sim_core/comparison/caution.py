@@ -12,6 +12,12 @@ class Caution:
         text: One or more whole sentences for a person, with the numbers and units that led to it.
         field: The dotted scenario field to look at, such as `"vehicle.body_mass"`; None where there is none.
         strategy: The id of the strategy that it applies to; None where it applies to all.
+
+    Example:
+        >>> from sim_core import Caution
+        >>> sag = Caution(kind="sag", text="The body sinks by 365 mm.", field="vehicle.body_mass")
+        >>> sag.strategy is None
+        True
     """
 
     kind: str

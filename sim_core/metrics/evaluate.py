@@ -42,6 +42,7 @@ def evaluate(run: Run, windows: Windows, recorder: Recorder, recording: Recordin
 
     return StrategyResult(
         strategy=controller.id,
+        scenario=scenario,
         metrics=metrics,
         comfort={
             "weighted_rms": sqrt(squares / samples),

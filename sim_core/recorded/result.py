@@ -190,6 +190,7 @@ def _evaluated(scenario: Scenario, signals: Mapping[str, FloatArray], strategy: 
     events["travel_exceeded_mm"] = max(0.0, travel - scenario.mpc.deflection_limit) * 1000 if travel == travel else None
     return StrategyResult(
         strategy=strategy,
+        scenario=scenario,
         metrics=metrics,
         comfort=comfort_metrics(signals, whole, metrics["rough_road"], static),
         events=events,

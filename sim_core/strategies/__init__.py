@@ -10,6 +10,7 @@ from sim_core.control.controller import Controller, option_fields
 from sim_core.controller_files import ControllerFileError, named_controllers
 from sim_core.errors import RidelabError, UnknownNameError
 from sim_core.scenario import Scenario, dotted
+from sim_core.scenario.recorded import recording_id
 from sim_core.speed.profile import SpeedPlan
 from sim_core.strategies.groundhook import Groundhook
 from sim_core.strategies.hybrid import Hybrid
@@ -49,6 +50,23 @@ def strategy_named(name: str) -> type[Controller]:
     if name not in own:
         raise UnknownNameError(f"Unknown strategy; there are {', '.join([*STRATEGIES, *own])}")
     return own[name]
+
+
+def find_strategy(name: str) -> type[Controller] | None:
+    """Return the strategy with that id; None where there is none, or where the files of controllers cannot be used."""
+    if name in STRATEGIES:
+        return STRATEGIES[name]
+    with suppress(ControllerFileError):
+        return named_controllers().get(name)
+    return None
+
+
+def label_of(name: str) -> str:
+    """Return what a strategy or a recorded drive is called; the id itself where there is no such strategy any more."""
+    if (recording := recording_id(name)) is not None:
+        return f"Recording {recording[:6]}"
+    strategy = find_strategy(name)
+    return name if strategy is None else strategy.label
 
 
 def _options() -> dict[str, dotted.DottedField]:

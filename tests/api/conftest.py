@@ -51,8 +51,8 @@ class Service(httpx.Client):
         services: Services = self.app.state.services
         return services
 
-    def run(self, strategies: list[str], scenario: dict[str, Any] | None = None) -> httpx.Response:
-        return self.post("/api/v1/runs", json={"scenario": scenario or {}, "strategies": strategies})
+    def run(self, strategies: list[str], scenario: dict[str, Any] | None = None, **more: Any) -> httpx.Response:
+        return self.post("/api/v1/runs", json={"scenario": scenario or {}, "strategies": strategies, **more})
 
     def live(self, strategies: list[str], scenario: dict[str, Any] | None = None, **more: Any) -> httpx.Response:
         body = {"scenario": scenario or {}, "strategies": strategies, **more}

@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 
 from backend import digest
-from backend.intervals import change_with_interval, mean_with_interval
 from backend.means_over_roads import seeded
 from backend.runs import bands, histories
 from backend.runs.models import CreatedRun
 from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
 from sim_core import Scenario, simulate
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, SIGNALS, STATISTICS, WINDOWS
+from sim_core.comparison.intervals import change_with_interval, mean_with_interval
 from tests.api.conftest import Service
 from tests.html import check, read
 

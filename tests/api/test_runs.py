@@ -8,8 +8,7 @@ from typing import Any
 import pytest
 
 from backend.digest import run_id
-from backend.models import LiveRun
-from backend.runs.models import CreatedRun, Run
+from backend.runs.models import CreatedRun, LiveRun, Run
 from backend.runs.result_finder import shared_work
 from backend.store.runs import RunStore
 from sim_core import Scenario, StrategyResult, __version__, simulate
@@ -30,7 +29,7 @@ def plain(result: StrategyResult) -> dict[str, Any]:
 
 
 def test_a_run_has_every_field_of_the_contract(run: dict[str, Any], road: dict[str, Any]) -> None:
-    assert set(run) == {"id", "core_version", "scenario", "characteristics", "strategies"}
+    assert set(run) == {"id", "core_version", "scenario", "characteristics", "comparison", "strategies"}
     assert run["core_version"] == __version__
     assert len(run["id"]) == 22
     assert run["scenario"]["vehicle"]["body_mass"] == 1270
@@ -133,7 +132,7 @@ def test_live_answers_series_and_stores_nothing(service: Any, unseen: dict[str, 
     assert first.status_code == 200
     answer = first.json()
     LiveRun.model_validate(answer)
-    assert set(answer) == {"core_version", "scenario", "characteristics", "strategies"}
+    assert set(answer) == {"core_version", "scenario", "characteristics", "comparison", "strategies"}
     identifier = run_id(Scenario.model_validate(answer["scenario"]), ["lv", "passive"])
     assert service.get(f"/api/v1/runs/{identifier}").status_code == 404
     for entry in answer["strategies"].values():

@@ -9,8 +9,8 @@ import httpx
 import pytest
 from pydantic import TypeAdapter, ValidationError
 
-from backend.intervals import mean_with_interval
 from backend.runs.solve.models import Solution, SolveRequest
+from sim_core.comparison.intervals import mean_with_interval
 
 PEAK = "bump.body_acceleration.peak"
 SMOOTH = {"road": {"roughness": 0, "length": 118}}
@@ -82,7 +82,7 @@ def test_digits_that_one_road_does_not_resolve_are_not_said(client: httpx.Client
     one = solved(client, **body, limit=4)
     assert (one.resolution, one.bracket[0]) == (7, one.value)
     said, rest = one.warnings[0].split("; ")
-    assert said == f"On one road a change of {PEAK} below 7 % may be luck"
+    assert said == f"On one road a change of {PEAK} below 7 % may be random variation"
     first, last = (float(each) for each in rest.removeprefix("from ").split(" m ")[0].split(" to "))
     assert last - first == pytest.approx(0.14 * one.value, rel=0.15)
     assert one.resolved_value == math.floor(one.value * 1000) / 1000 < one.value

@@ -45,7 +45,7 @@ def test_a_limit_is_asked_answered_and_put_into_the_form(dashboard: Dashboard) -
     expect(answer).to_contain_text("Height at most about 6.4\u00a0cm")
     expect(answer).to_contain_text("at 6.467\u00a0cm; 6.468\u00a0cm does not keep the limit")
     expect(answer).to_contain_text(
-        "On one road a change of Body acceleration, peak, bump below 7 % may be luck; from 5.9"
+        "On one road a change of Body acceleration, peak, bump below 7 % may be random variation; from 5.9"
     )
     answer.get_by_role("button", name="Put it into the form").click()
     expect(dialog).not_to_be_visible()

@@ -10,10 +10,10 @@ from math import sqrt
 from statistics import fmean
 from typing import Any
 
-from backend.intervals import change_with_interval
 from backend.paper.readings import Intervals
 from backend.paper.tables import PaperCell, cells
 from sim_core.catalogue import PAPER_SIGNALS, SIGNALS
+from sim_core.comparison.intervals import change_with_interval
 from sim_core.metrics.evaluate import rms_between
 from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate

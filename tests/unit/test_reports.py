@@ -9,9 +9,10 @@ import pytest
 
 from backend.outcome import Outcome, Sampling
 from backend.runs.compute_run import compute_run
-from backend.runs.reports import inputs, numbers
+from backend.runs.reports import inputs
 from backend.runs.reports.caveats import caveats
 from backend.runs.reports.run import RunFacts, report
+from sim_core.comparison import numbers
 from sim_core.scenario import Scenario, dotted
 from sim_core.strategies import STRATEGIES
 from tests.html import check, read

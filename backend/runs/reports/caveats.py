@@ -1,8 +1,8 @@
 """Caveats: sentences on a result that no real car would have, or that says less than it seems."""
 
 from backend.json_types import JsonObject
-from backend.runs.reports.numbers import amount, in_words, with_unit
 from sim_core.catalogue import EVENTS
+from sim_core.comparison.numbers import amount, in_words, with_unit
 
 
 def caveats(entry: JsonObject, vehicle: JsonObject) -> list[str]:

@@ -4,8 +4,8 @@ import numpy as np
 
 from backend.json_types import JsonObject
 from backend.runs.reports.keys import line_of
-from backend.runs.reports.numbers import NOTHING, significant, with_unit
 from backend.runs.series import unpacked
+from sim_core.comparison.numbers import NOTHING, significant, with_unit
 
 NEAR = 0.6  # a reference line at most so far beyond the curves is brought into view [spans of the curves]
 PADDING = 0.05

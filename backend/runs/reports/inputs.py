@@ -9,9 +9,9 @@ from typing import Any
 import orjson
 
 from backend.json_types import JsonObject
-from backend.runs.figures import label
-from backend.runs.reports import numbers
+from sim_core.comparison import numbers
 from sim_core.scenario import Scenario, dotted
+from sim_core.strategies import label_of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -103,7 +103,7 @@ def _title(name: str) -> str:
     """A part's title after that of the part around it; a model's class name is no title."""
     above, _, key = name.rpartition(".")
     if above == "own":
-        return f"{_title(above)}: {label(key)}"
+        return f"{_title(above)}: {label_of(key)}"
     title = _described(name)[0]
     if not above:
         return title

@@ -2,6 +2,7 @@
 
 from backend.json_types import JsonObject
 from backend.runs import figures
+from sim_core.strategies import label_of
 
 # Plotly's named dashes as SVG's, for lines two wide; others are lengths.
 _DASHES = {
@@ -22,7 +23,7 @@ def inside(text: str) -> str:
 def key_of(strategy: str) -> dict[str, str]:
     """A strategy's label and line style."""
     style = figures.style_of(strategy)
-    return {"id": strategy, "label": figures.label(strategy), "colour": style.colour, "dash": _svg(style.dash)}
+    return {"id": strategy, "label": label_of(strategy), "colour": style.colour, "dash": _svg(style.dash)}
 
 
 def line_of(trace: JsonObject) -> dict[str, str]:

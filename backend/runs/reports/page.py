@@ -20,12 +20,12 @@ import orjson
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
-from backend.runs.figures import label
-from backend.runs.reports import numbers
 from backend.runs.reports.keys import inside
 from backend.runs.reports.thinning import thinned
 from backend.settings import BUILT_PAGE
 from sim_core.catalogue import STATISTICS, WINDOWS
+from sim_core.comparison import numbers
+from sim_core.strategies import label_of
 
 TEMPLATES = Path(__file__).parent / "templates"
 PLOTLY = BUILT_PAGE / "report" / "plotly.js"  # with the traces that the lab draws; made with the page
@@ -135,7 +135,8 @@ def _environment() -> Environment:
         lstrip_blocks=True,
     )
     of_numbers = (numbers.significant, numbers.exact, numbers.percent, numbers.pretty_unit, numbers.printed)
-    environment.filters |= {each.__name__: each for each in (*of_numbers, marked, minus_signs, label, inside)}
+    environment.filters |= {each.__name__: each for each in (*of_numbers, marked, minus_signs, inside)}
+    environment.filters["label"] = label_of
     environment.filters["quantity"] = lambda key: (STATISTICS | WINDOWS)[key].label
     return environment
 

@@ -8,26 +8,12 @@ from typing import Any
 from pydantic import ValidationError
 
 from backend.json_types import JsonObject
-from backend.means_over_roads import one_road_resolution
 from backend.outcome import Outcome
 from backend.runs import figures
-from backend.runs.figures import label
 from backend.runs.reports import inputs
 from backend.runs.reports.caveats import caveats
 from backend.runs.reports.drawings import caption, framed
 from backend.runs.reports.keys import key_of
-from backend.runs.reports.numbers import (
-    NO_VALUE,
-    NOTHING,
-    SAME,
-    exact,
-    in_words,
-    percent,
-    plus_minus,
-    pretty_unit,
-    significant,
-    with_unit,
-)
 from backend.runs.reports.page import Report, render
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import (
@@ -37,12 +23,26 @@ from sim_core.catalogue import (
     METRICS,
     PAPER_SIGNALS,
     PAPER_VIEWS,
-    PEAK,
-    RMS,
     RUN_FIGURES,
     SIGNALS,
 )
+from sim_core.comparison.change import Change, change_on_one_road, change_over_roads
+from sim_core.comparison.intervals import Interval
+from sim_core.comparison.numbers import (
+    NO_VALUE,
+    NOTHING,
+    exact,
+    in_words,
+    percent,
+    plus_minus,
+    pretty_unit,
+    significant,
+    with_unit,
+)
+from sim_core.comparison.variation import one_road_resolution, variation_of_one_road
 from sim_core.scenario import Scenario
+from sim_core.scenario.recorded import recording_id
+from sim_core.strategies import label_of
 
 WHOLE_RUN = (
     *((f"comfort.{key}", quantity) for key, quantity in COMFORT.items()),
@@ -54,8 +54,6 @@ TABLES = {
     "RMS on the rough road and peak on the bump": PAPER_SIGNALS,
     "Suspension travel and forces": METRIC_SIGNALS[len(PAPER_SIGNALS) :],
 }
-
-
 _LIMITS = {"max": "at most", "min": "at least", "max_change": "changes by at most"}
 
 
@@ -104,18 +102,18 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
         "run_id": answer["id"],
         "core_version": answer["core_version"],
         "current_version": CORE_VERSION,
-        "sources": [(label(name), source) for name, entry in ran.items() if (source := entry["source"])],
+        "sources": [(label_of(name), source) for name, entry in ran.items() if (source := entry["source"])],
         "stored": f"{facts.created_at:%Y-%m-%d %H:%M} UTC",
         "strategies": [key_of(name) for name in entries],
         "baseline": None if facts.against else key_of(facts.baseline),
-        "against": f"run {facts.against['id']}, strategy by strategy" if facts.against else label(facts.baseline),
+        "against": f"run {facts.against['id']}, strategy by strategy" if facts.against else label_of(facts.baseline),
         "drive": drive(answer["scenario"]),
         "roads": roads,
         "seed": answer["scenario"]["road"]["seed"],
         "parts": inputs.parts(answer["scenario"]),
         "command": inputs.command(answer["scenario"], list(entries), roads, facts.baseline),
         "caveats": [
-            (label(name), sentences)
+            (label_of(name), sentences)
             for name, entry in entries.items()
             if (sentences := caveats(entry, answer["scenario"]["vehicle"]))
         ],
@@ -130,7 +128,7 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
         "cell": numbers.cell,
         "gone": facts.gone,
         "figures": [caption(name, figure) for name, figure in with_data.items()],
-        "without_history": [label(name) for name in ran if with_data and name not in facts.outcomes],
+        "without_history": [label_of(name) for name in ran if with_data and name not in facts.outcomes],
     }
     return render("run.html", values, with_data, compressed=compressed)
 
@@ -140,14 +138,14 @@ def _required(result: JsonObject) -> JsonObject:
     metric, change = METRICS[result["metric"]], result["max_change"] is not None
     word, limit = next((word, result[name]) for name, word in _LIMITS.items() if result[name] is not None)
     unit = "%" if change else metric.unit
-    against = f" against {label(result['baseline'])}" if change else ""
+    against = f" against {label_of(result['baseline'])}" if change else ""
     held = NO_VALUE if result["value"] is None else with_unit(significant(result["value"]), unit)
     if result["low"] is not None:
         held += f" ({significant(result['low'])} to {significant(result['high'])})"
     return {
         "metric": metric.label,
         "limit": f"{word} {with_unit(exact(limit), unit)}{against}",
-        "strategy": label(result["strategy"]),
+        "strategy": label_of(result["strategy"]),
         "held": held,
         "result": result["result"],
         "reason": result["reason"],
@@ -190,7 +188,7 @@ class Numbers:
         ran: By strategy its entry.
         changes: By strategy its paired changes over several roads [%]; empty for a run of one.
         bases: By strategy that is compared what its changes refer to.
-        random: A change may be luck.
+        random: Whether a change on one road may be random variation.
     """
 
     ran: JsonObject
@@ -210,20 +208,35 @@ class Numbers:
         value, half = _estimate(metric.of(self.ran[strategy]))
         number = isinstance(value, int | float) and not isinstance(value, bool)
         shown = in_words(value) if scale is None else significant(value * scale) if number else NO_VALUE
-        change, luck = None, 0.0
-        if key not in NOT_COMPARED and (base := self.bases.get(strategy)):
-            paired = self.changes.get(strategy, {})
-            change = _change(value, metric.of(base.entry), metric.of({"metrics": paired, **paired}))
-            lucky = self.random and not paired and key != "travel_time"
-            luck = max(_resolution(name, key) for name in (strategy, base.of)) if lucky else 0.0
-        percentage, uncertainty = change or (0.0, 0.0)
-        same = abs(percentage) < max(SAME, uncertainty, luck)
+        change = None if key in NOT_COMPARED else self._change(key, strategy, scale or 1.0)
+        percentage = None if change is None else change.change
+        verdict = ""
+        if change is not None and percentage is not None and change.beyond_variation:
+            verdict = "better" if percentage < 0 else "worse"
         return {
             "raw": value,
             "shown": plus_minus(shown, half * (scale or 1)) if half > NOTHING else shown,
-            "change": None if change is None else percent(percentage, uncertainty),
-            "verdict": "" if same else "better" if percentage < 0 else "worse",
+            "change": None if percentage is None or change is None else percent(percentage, _half(change)),
+            "verdict": verdict,
         }
+
+    def _change(self, key: str, strategy: str, scale: float) -> Change | None:
+        """Return the change of a metric; None where it is not compared, or one of both does not have it."""
+        metric, base = METRICS[key], self.bases.get(strategy)
+        if base is None:
+            return None
+        value, other = (_estimate(metric.of(entry))[0] for entry in (self.ran[strategy], base.entry))
+        paired = self.changes.get(strategy, {})
+        interval = metric.of({"metrics": paired, **paired})
+        if not all(isinstance(each, int | float) and not isinstance(each, bool) for each in (value, other)):
+            return None
+        if isinstance(interval, Mapping):
+            ends = Interval(value=interval["mean"], low=interval["low"], high=interval["high"])
+            return change_over_roads(ends, value, other, scale=scale)
+        both = strategy, base.of
+        is_random = self.random or any(recording_id(name) is not None for name in both)
+        variation = variation_of_one_road(key, map(one_road_resolution, both)) if is_random and not paired else 0.0
+        return change_on_one_road(value, other, scale=scale, variation=variation)
 
 
 def _is_random(scenario: JsonObject) -> bool:
@@ -243,18 +256,9 @@ def _bases(ran: JsonObject, facts: RunFacts) -> dict[str, Base]:
     return {name: Base(of=name, entry=others[name]) for name in ran if others.get(name, {}).get("status") == "ok"}
 
 
-def _resolution(strategy: str, key: str) -> float:
-    """The smallest change of that metric [%] that one road tells from luck."""
-    resolution = one_road_resolution(strategy)
-    return resolution[PEAK] if key.endswith(f".{PEAK}") else resolution[RMS]
-
-
-def _change(value: Any, base: Any, paired: Any) -> tuple[float, float] | None:
-    """Change [%] and half the width of its interval: as paired over several roads, or from two plain values."""
-    if isinstance(paired, Mapping):
-        return _estimate(paired)
-    plain = all(isinstance(each, int | float) and not isinstance(each, bool) for each in (value, base))
-    return (100 * (value - base) / abs(base), 0.0) if plain and abs(base) > NOTHING else None
+def _half(change: Change) -> float:
+    """Return half the width of a change's interval [%]; 0 where it has none."""
+    return 0.0 if change.low is None or change.high is None else (change.high - change.low) / 2
 
 
 def _estimate(value: Any) -> tuple[Any, float]:

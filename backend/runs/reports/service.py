@@ -5,10 +5,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from backend.errors import GoneError, InvalidError
+from backend.errors import GoneError
 from backend.gate import Gate
 from backend.json_types import JsonObject
-from backend.means_over_roads import default_baseline
 from backend.requirements import Requirement
 from backend.runs.answers import as_plain, changes_to_run, run_answer
 from backend.runs.histories import Histories
@@ -16,7 +15,8 @@ from backend.runs.reports import page
 from backend.runs.reports import run as run_report
 from backend.runs.reports.page import Report, in_thread
 from backend.runs.result_finder import Outcomes
-from backend.runs.service import Runs
+from backend.runs.service import Runs, check_has
+from sim_core.comparison.compare import default_baseline
 
 
 @dataclass(eq=False, kw_only=True)
@@ -55,9 +55,7 @@ class RunReports:
         """
         stored = await self.runs.stored(run_id, client)
         names = list(stored.by_strategy)
-        if baseline is not None and baseline not in names:
-            message = f"This run has {', '.join(names)}; the baseline is one of them"
-            raise InvalidError(message, parameter="baseline")
+        check_has(stored, "baseline", [] if baseline is None else [baseline])
         outcomes: Outcomes = {}
         gone = None
         try:

@@ -153,7 +153,7 @@ class Solution(Answer):
     )
     interval: Interval | None = Field(description="The metric at that value over the roads; null for one road")
     resolution: float | None = Field(
-        description="Smallest change of the metric [%] that is more than luck: on one road the strategy's "
+        description="Smallest change of the metric [%] that is more than random variation: on one road the strategy's "
         "`one_road_resolution`, over several half the interval; null of metrics and roads without one"
     )
     resolved_value: Value = Field(

@@ -5,16 +5,16 @@ from dataclasses import dataclass
 from math import inf, isfinite
 
 from backend.errors import InvalidError, NoSolutionError, ServiceError
-from backend.intervals import mean_with_interval
 from backend.json_types import Summary
-from backend.means_over_roads import one_road_resolution
 from backend.requirements import RequirementResult, judged, used
 from backend.runs.over_roads import Interval
 from backend.runs.solve import limit_search
 from backend.runs.solve.models import Solution, SolveRequest, TriedValue
 from backend.scenario_at import scenario_at
 from sim_core import __version__ as CORE_VERSION
-from sim_core.catalogue import METRICS, RMS
+from sim_core.catalogue import METRICS
+from sim_core.comparison.intervals import mean_with_interval
+from sim_core.comparison.variation import one_road_resolution, variation_of_one_road
 from sim_core.scenario import Scenario, dotted
 from sim_core.strategies import reads, strategy_named
 
@@ -152,17 +152,15 @@ def scenario_of(request: SolveRequest, index: int) -> Scenario:
 
 
 def _resolution(request: SolveRequest, index: int, best: Tried) -> float | None:
-    """The smallest change of the metric there [%] that is more than luck; None where none is known."""
+    """Return the smallest change of the metric there [%] beyond random variation; None where none is known."""
     if best.interval is not None:
         half = best.interval.high - best.interval.mean
         return 100 * half / abs(best.bound) if half and best.bound else None
     if request.metric is None:
         return None  # each of its requirements has another
-    path = METRICS[request.metric].path
-    if not scenario_of(request, index).is_random or path[0] not in ("metrics", "comfort"):
+    if not scenario_of(request, index).is_random:
         return None
-    resolution = one_road_resolution(request.strategy)
-    return resolution.get(path[-1], resolution[RMS])
+    return variation_of_one_road(request.metric, [one_road_resolution(request.strategy)]) or None
 
 
 def _unresolved(request: SolveRequest, resolution: float | None, alike: tuple[float, float]) -> Iterator[str]:
@@ -170,7 +168,7 @@ def _unresolved(request: SolveRequest, resolution: float | None, alike: tuple[fl
     first, last = (request.value(round(index)) for index in alike)
     if resolution is None or first == last:
         return
-    accuracy = f"On one road a change of {request.metric} below {resolution:.2g} % may be luck"
+    accuracy = f"On one road a change of {request.metric} below {resolution:.2g} % may be random variation"
     if request.roads > 1:
         accuracy = f"Over {request.roads} roads the mean of {request.metric} is known to ±{resolution:.2g} %"
     unit = dotted.field(request.field).unit

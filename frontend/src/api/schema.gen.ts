@@ -431,6 +431,12 @@ export interface components {
             readonly statistics: readonly components["schemas"]["QuantityAnswer"][];
             readonly windows: readonly components["schemas"]["QuantityAnswer"][];
         };
+        readonly CautionAnswer: {
+            readonly field: string | null;
+            readonly kind: string;
+            readonly strategy: string | null;
+            readonly text: string;
+        };
         readonly Cell: {
             readonly against: string;
             readonly certain: boolean | null;
@@ -457,6 +463,12 @@ export interface components {
             readonly signal: string;
             readonly statistic: string;
             readonly window: string;
+        };
+        readonly ChangeAnswer: {
+            readonly beyond_variation: boolean;
+            readonly change: number | null;
+            readonly high: number | null;
+            readonly low: number | null;
         };
         readonly Changes: {
             readonly peak: components["schemas"]["Interval"] | null;
@@ -516,6 +528,16 @@ export interface components {
             readonly batch: string;
             readonly figures: readonly components["schemas"]["ComparedFigure"][];
             readonly points: readonly components["schemas"]["ComparedPoint"][];
+        };
+        readonly ComparisonAnswer: {
+            readonly baseline: string;
+            readonly cautions: readonly components["schemas"]["CautionAnswer"][];
+            readonly changes: {
+                readonly [key: string]: {
+                    readonly [key: string]: components["schemas"]["ChangeAnswer"];
+                };
+            };
+            readonly verdict: components["schemas"]["VerdictAnswer"];
         };
         readonly Compilers: {
             readonly realtime: string | null;
@@ -621,6 +643,7 @@ export interface components {
                 readonly [key: string]: components["schemas"]["StrategyChanges"];
             };
             readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
+            readonly comparison: components["schemas"]["ComparisonAnswer"];
             readonly core_version: string;
             readonly id: string;
             readonly requirement_results?: readonly components["schemas"]["RequirementResult"][];
@@ -632,6 +655,7 @@ export interface components {
         };
         readonly CreatedRun: {
             readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
+            readonly comparison: components["schemas"]["ComparisonAnswer"];
             readonly core_version: string;
             readonly id: string;
             readonly requirement_results?: readonly components["schemas"]["RequirementResult"][];
@@ -933,6 +957,7 @@ export interface components {
             ] | null;
         };
         readonly LiveRequest: {
+            readonly baseline?: string | null;
             /** @enum {string} */
             readonly encoding?: "base64" | "binary";
             readonly part?: "bump" | null;
@@ -974,6 +999,7 @@ export interface components {
         };
         readonly LiveRun: {
             readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
+            readonly comparison: components["schemas"]["ComparisonAnswer"];
             readonly core_version: string;
             readonly scenario: JsonObject;
             readonly strategies: {
@@ -1270,6 +1296,7 @@ export interface components {
                 readonly [key: string]: components["schemas"]["StrategyChanges"];
             };
             readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
+            readonly comparison: components["schemas"]["ComparisonAnswer"];
             readonly core_version: string;
             readonly id: string;
             readonly requirement_results?: readonly components["schemas"]["RequirementResult"][];
@@ -1292,6 +1319,7 @@ export interface components {
         };
         readonly Run: {
             readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
+            readonly comparison: components["schemas"]["ComparisonAnswer"];
             readonly core_version: string;
             readonly id: string;
             readonly requirement_results?: readonly components["schemas"]["RequirementResult"][];
@@ -1709,6 +1737,13 @@ export interface components {
             readonly sources: readonly string[];
             readonly vehicle: JsonObject;
         };
+        readonly VerdictAnswer: {
+            readonly best: {
+                readonly [key: string]: string | null;
+            };
+            readonly mixed: boolean;
+            readonly text: string;
+        };
         readonly WithoutPreview: {
             readonly counts: components["schemas"]["Counts"];
             readonly reached: number;
@@ -1740,8 +1775,10 @@ export type CachedFailure = components['schemas']['CachedFailure'];
 export type CachedResult = components['schemas']['CachedResult'];
 export type CachedRoadsResult = components['schemas']['CachedRoadsResult'];
 export type Catalogue = components['schemas']['Catalogue'];
+export type CautionAnswer = components['schemas']['CautionAnswer'];
 export type Cell = components['schemas']['Cell'];
 export type Change = components['schemas']['Change'];
+export type ChangeAnswer = components['schemas']['ChangeAnswer'];
 export type Changes = components['schemas']['Changes'];
 export type CharacteristicsAnswer = components['schemas']['CharacteristicsAnswer'];
 export type Column = components['schemas']['Column'];
@@ -1750,6 +1787,7 @@ export type Comfort = components['schemas']['Comfort'];
 export type ComparedFigure = components['schemas']['ComparedFigure'];
 export type ComparedPoint = components['schemas']['ComparedPoint'];
 export type Comparison = components['schemas']['Comparison'];
+export type ComparisonAnswer = components['schemas']['ComparisonAnswer'];
 export type Compilers = components['schemas']['Compilers'];
 export type Condition = components['schemas']['Condition'];
 export type ConditionalReadsAnswer = components['schemas']['ConditionalReadsAnswer'];
@@ -1882,6 +1920,7 @@ export type TypedArray = components['schemas']['TypedArray'];
 export type Unavailable = components['schemas']['Unavailable'];
 export type UncertainRange = components['schemas']['UncertainRange'];
 export type VehicleAnswer = components['schemas']['VehicleAnswer'];
+export type VerdictAnswer = components['schemas']['VerdictAnswer'];
 export type WithoutPreview = components['schemas']['WithoutPreview'];
 export interface operations {
     readonly listBatches: {
@@ -2495,6 +2534,7 @@ export interface operations {
         readonly parameters: {
             readonly query?: {
                 readonly baseline?: string | null;
+                readonly compare?: string | null;
                 readonly requirements?: string | null;
             };
             readonly path: {

@@ -1,4 +1,4 @@
-/** How sure a mean over roads is: 95 % intervals, as backend/intervals.py has them. */
+/** How sure a mean over roads is: 95 % intervals, as sim_core/comparison/intervals.py has them. */
 
 const NORMAL = 1.959963984540054; // 97.5 % of the normal distribution lie below
 

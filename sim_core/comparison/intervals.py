@@ -1,6 +1,7 @@
-"""Means over seeds and how sure they are."""
+"""Estimate means over roads and changes between them, with confidence intervals."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import nan, sqrt
 
 import numpy as np
@@ -19,12 +20,12 @@ class Interval:
 
 
 def mean_with_interval(values: ArrayLike) -> Interval:
-    """Mean of independent values and its 95 % interval (Student's t); needs two values for an interval."""
+    """Return the mean of independent values and its 95 % interval (Student's t); of one value the interval is NaN."""
     return means_with_intervals(np.reshape(values, (-1, 1)))[0]
 
 
 def change_with_interval(values: ArrayLike, base: ArrayLike) -> Interval:
-    """Change of the mean of `values` against the mean of `base` [%], paired (the same seeds), with its 95 % interval.
+    """Return the change of the mean of `values` against that of `base` [%], paired by road, with its 95 % interval.
 
     The ratio of means by linearisation (Cochran 1977, Sampling Techniques, 6.4): with r = mean(values)/mean(base),
     its standard error is that of the mean of (values - r·base)/mean(base). NaN against a zero base.
@@ -33,14 +34,18 @@ def change_with_interval(values: ArrayLike, base: ArrayLike) -> Interval:
 
 
 def means_with_intervals(samples: ArrayLike) -> list[Interval]:
-    """`mean_with_interval` of each column of `samples`, shape (values, quantities)."""
+    """Return `mean_with_interval` for each column of `samples` (roads, metrics)."""
     sample = np.asarray(samples, dtype=np.float64)
     mean = sample.mean(axis=0)
     return _around(mean, _half_widths(sample))
 
 
 def changes_with_intervals(samples: ArrayLike, bases: ArrayLike) -> list[Interval]:
-    """`change_with_interval` of each column of `samples` against that of `bases` (values, quantities)."""
+    """Return `change_with_interval` for each column of `samples` against that of `bases` (roads, metrics).
+
+    Raises:
+        ValueError: They are not of one shape.
+    """
     above, below = np.asarray(samples, dtype=np.float64), np.asarray(bases, dtype=np.float64)
     if above.shape != below.shape:
         raise ValueError("Paired values are as many as their base")
@@ -51,7 +56,7 @@ def changes_with_intervals(samples: ArrayLike, bases: ArrayLike) -> list[Interva
 
 
 def _half_widths(sample: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Half the width of the interval of each column's mean; NaN for a single value."""
+    """Return half the width of the interval of each column's mean; NaN for a single value."""
     count = len(sample)
     if count < 2:
         return np.full(sample.shape[1:], nan)
@@ -64,8 +69,9 @@ def _around(values: NDArray[np.float64], halves: NDArray[np.float64]) -> list[In
     return [Interval(value=value, low=low, high=high) for value, low, high in ends]
 
 
+@lru_cache
 def _quantile(count: int) -> float:
-    """Student's t for the two-sided interval of a mean of `count` values."""
+    """Return Student's t for the two-sided interval of a mean of `count` values."""
     from scipy.special import stdtrit  # takes a tenth of a second: most processes never need it
 
     return float(stdtrit(count - 1, (1 + CONFIDENCE) / 2))

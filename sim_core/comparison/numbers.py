@@ -1,4 +1,4 @@
-"""Numbers and units in reports; frontend/src/units/format.ts has the same rules for the browser."""
+"""Write numbers, units and percentages as a person reads them."""
 
 from math import floor, isfinite, log10
 from typing import Any

@@ -1,0 +1,102 @@
+"""A change of one number against another, and whether it is more than random variation."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import isfinite
+
+from sim_core.comparison.intervals import Interval, change_with_interval
+from sim_core.comparison.numbers import SAME, significant
+
+_ZERO = 1e-6  # what rounding leaves in a control loop on a smooth road is below this, in any unit that is shown
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Change:
+    """The change of a metric against the baseline's.
+
+    Attributes:
+        change: In percent of the baseline's value, of several roads the change of the mean; None where the baseline's
+            value is zero.
+        low: Lower end of its 95 % interval over several roads [%]; None on one road.
+        high: Upper end, likewise.
+        beyond_variation: Whether the values differ by more than random variation explains: on one road by more than
+            what one road resolves (`variation_of_one_road`), over several where the interval does not contain zero.
+            Never where both values show as the same digits in the unit they are shown in.
+
+    Example:
+        >>> from sim_core import Scenario, compare, simulate
+        >>> comparison = compare({name: simulate(Scenario(), name) for name in ("lqr", "passive")})
+        >>> change = comparison.changes["lqr"]["travel_time"]
+        >>> round(change.change, 1), change.low, change.beyond_variation
+        (82.1, None, True)
+    """
+
+    change: float | None
+    low: float | None = None
+    high: float | None = None
+    beyond_variation: bool
+
+
+def change_on_one_road(value: float, base: float, *, scale: float = 1.0, variation: float = 0.0) -> Change:
+    """Return the change of a value against another one on the same road.
+
+    Args:
+        value: In SI units.
+        base: What it is compared with.
+        scale: From the SI unit to the unit in which both are shown.
+        variation: Smaller changes [%] may be random; 0 where nothing is random.
+
+    Example:
+        >>> change_on_one_road(0.9, 1.0, variation=15)
+        Change(change=-10.0, low=None, high=None, beyond_variation=False)
+    """
+    if abs(base * scale) < _ZERO:
+        return Change(change=None, beyond_variation=abs(value * scale) >= _ZERO)
+    change = 100 * (value - base) / abs(base)
+    beyond = abs(change) >= max(SAME, variation) and not shown_alike(value, base, scale)
+    return Change(change=change, beyond_variation=beyond)
+
+
+def change_over_roads(interval: Interval, value: float, base: float, *, scale: float = 1.0) -> Change:
+    """Return the change of a mean over several roads, whose interval is known already.
+
+    Args:
+        interval: Of the change [%], paired by road; NaN against a zero.
+        value: The mean [SI unit].
+        base: The mean that it is compared with.
+        scale: From the SI unit to the unit in which both are shown.
+    """
+    if not isfinite(interval.value) or abs(base * scale) < _ZERO:
+        return Change(change=None, beyond_variation=abs(value * scale) >= _ZERO)
+    beyond = abs(interval.value) >= SAME and excludes_zero(interval) and not shown_alike(value, base, scale)
+    return Change(change=interval.value, low=interval.low, high=interval.high, beyond_variation=beyond)
+
+
+def change_between(
+    values: Sequence[float], bases: Sequence[float], *, scale: float = 1.0, variation: float = 0.0
+) -> Change:
+    """Return the change of values against others on the same roads, one or several.
+
+    Args:
+        values: On each road [SI unit].
+        bases: The same of what they are compared with, in the same order of roads.
+        scale: From the SI unit to the unit in which both are shown.
+        variation: On one road, smaller changes [%] may be random.
+
+    Raises:
+        ValueError: They are not as many.
+    """
+    if len(values) == len(bases) == 1:
+        return change_on_one_road(values[0], bases[0], scale=scale, variation=variation)
+    interval = change_with_interval(values, bases)
+    return change_over_roads(interval, sum(values) / len(values), sum(bases) / len(bases), scale=scale)
+
+
+def excludes_zero(interval: Interval) -> bool:
+    """Check whether an interval lies above zero or below it."""
+    return interval.low > 0 or interval.high < 0
+
+
+def shown_alike(value: float, base: float, scale: float = 1.0) -> bool:
+    """Check whether two values show as the same digits in the unit that `scale` leads to."""
+    return significant(value * scale) == significant(base * scale)

@@ -1,0 +1,79 @@
+"""Who is better than whom in which metric, beyond random variation."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cached_property
+
+from sim_core.catalogue import PAPER_METRICS
+from sim_core.comparison.change import Change
+from sim_core.comparison.rows import Row, changes_between
+from sim_core.strategies import STRATEGIES
+
+
+class Contest:
+    """The simulated strategies in the metrics that all of them have.
+
+    Args:
+        rows: All rows of a comparison, in any order. Recorded drives take no part: nobody chooses them for a car.
+    """
+
+    def __init__(self, rows: Sequence[Row]) -> None:
+        self.rows = in_order(row for row in rows if not row.is_recorded)
+        shared = [metric for metric in PAPER_METRICS if all(metric in row.values for row in self.rows)]
+        self.metrics = shared if self.rows else []
+        self._changes: dict[tuple[str, str], dict[str, Change]] = {}
+
+    def is_better(self, one: Row, other: Row, metric: str) -> bool:
+        """Check whether one is lower than the other beyond random variation, whichever of both is the baseline."""
+        if one is other or one.means[metric] >= other.means[metric]:
+            return False
+        return all(self._change(*pair, metric).beyond_variation for pair in ((one, other), (other, one)))
+
+    def _change(self, own: Row, base: Row, metric: str) -> Change:
+        pair = own.strategy, base.strategy
+        if pair not in self._changes:
+            self._changes[pair] = changes_between(own, base, self.metrics)
+        return self._changes[pair][metric]
+
+    @cached_property
+    def leaders(self) -> Mapping[str, tuple[Row, ...]]:
+        """Metric -> the strategies that no other one is better than."""
+        return {
+            metric: tuple(
+                row for row in self.rows if not any(self.is_better(other, row, metric) for other in self.rows)
+            )
+            for metric in self.metrics
+        }
+
+    @cached_property
+    def best(self) -> Mapping[str, Row | None]:
+        """Metric -> the strategy that is better than every other one."""
+        return {metric: self._best(metric, leaders) for metric, leaders in self.leaders.items()}
+
+    def _best(self, metric: str, leaders: Sequence[Row]) -> Row | None:
+        if len(self.rows) < 2 or len(leaders) > 1:
+            return None
+        leader, others = leaders[0], [row for row in self.rows if row is not leaders[0]]
+        return leader if all(self.is_better(leader, other, metric) for other in others) else None
+
+    @cached_property
+    def unbeaten(self) -> Sequence[Row]:
+        """The strategies that no other one is better than in any metric."""
+        return [row for row in self.rows if all(row in leaders for leaders in self.leaders.values())]
+
+    def wins(self, row: Row) -> int:
+        """Return in how many metrics a strategy is better than every other one."""
+        return sum(best is row for best in self.best.values())
+
+    @cached_property
+    def winner(self) -> Row | None:
+        """The strategy that is best on the whole: the only unbeaten one, or the best in most of the metrics."""
+        if len(self.unbeaten) == 1:
+            return self.unbeaten[0] if self.wins(self.unbeaten[0]) else None
+        most = max(self.rows, key=self.wins, default=None)
+        return most if most is not None and 2 * self.wins(most) > len(self.metrics) else None
+
+
+def in_order(rows: Iterable[Row]) -> list[Row]:
+    """Return the rows in the catalogue's order of strategies, others behind by id."""
+    places = {name: place for place, name in enumerate(STRATEGIES)}
+    return sorted(rows, key=lambda row: (places.get(row.strategy, len(places)), row.strategy))

@@ -1,0 +1,107 @@
+"""What results mean beside each other, over HTTP: the core's comparison in answers about runs."""
+
+from dataclasses import asdict
+from typing import Any
+
+import httpx
+import pytest
+
+from sim_core import Scenario, compare, simulate
+from sim_core.catalogue import PAPER_METRICS
+from tests.api.conftest import Service
+from tests.api.test_recordings import SCENARIO, SENT, recorded, send
+
+NAMES = ["lv", "lqr", "passive"]
+PEAK = "bump.body_acceleration.peak"
+
+
+def get(client: httpx.Client, run: dict[str, Any], **parameters: str) -> httpx.Response:
+    return client.get(f"/api/v1/runs/{run['id']}", params=parameters)
+
+
+def compared(client: httpx.Client, run: dict[str, Any], **parameters: str) -> Any:
+    return get(client, run, **parameters).raise_for_status().json()["comparison"]
+
+
+def test_it_is_the_cores_and_against_the_baseline_that_is_asked_for(
+    client: httpx.Client, service: Service, run: dict[str, Any]
+) -> None:
+    scenario = Scenario.model_validate(run["scenario"])
+    results = {name: simulate(scenario, name) for name in NAMES}
+    assert run["comparison"] == compared(client, run) == {**asdict(compare(results)), "cautions": []}
+    assert compared(client, run, baseline="lqr") == {**asdict(compare(results, "lqr")), "cautions": []}
+    posted = service.run(NAMES, run["scenario"], baseline="lqr").json()
+    assert posted["id"] == run["id"], "what numbers are compared with makes no other run"
+    assert posted["comparison"] == compared(client, run, baseline="lqr")
+
+
+def test_a_strategy_that_is_not_shown_can_be_left_out_and_stay_the_baseline(
+    client: httpx.Client, run: dict[str, Any]
+) -> None:
+    every, shown = run["comparison"], compared(client, run, compare="lqr")
+    assert shown["baseline"] == "passive"
+    assert shown["changes"] == {"lqr": every["changes"]["lqr"]}
+    assert "LV" not in shown["verdict"]["text"]
+    assert "than with Passive" in shown["verdict"]["text"]
+
+
+def test_live_has_the_papers_eight_metrics(service: Service, run: dict[str, Any]) -> None:
+    live = service.live(NAMES, run["scenario"], baseline="lqr").raise_for_status().json()["comparison"]
+    exact = compared(service, run, baseline="lqr")
+    assert (live["baseline"], live["verdict"]) == ("lqr", exact["verdict"])
+    for name in ("lv", "passive"):
+        assert live["changes"][name] == {key: exact["changes"][name][key] for key in PAPER_METRICS}
+
+
+def test_over_several_roads_changes_have_the_intervals_that_changes_has(service: Service, road: dict[str, Any]) -> None:
+    run = service.run(["lqr", "passive"], {"road": {**road, "length": 119}}, roads=3).json()
+    assert run["comparison"]["baseline"] == run["baseline"] == "passive"
+    change, interval = (
+        run["comparison"]["changes"]["lqr"][PEAK],
+        run["changes"]["lqr"]["bump"]["body_acceleration"]["peak"],
+    )
+    assert [change["change"], change["low"], change["high"]] == [interval[key] for key in ("mean", "low", "high")]
+    assert change["beyond_variation"] is (interval["high"] < 0 or interval["low"] > 0)
+    other = compared(service, run, baseline="lqr")
+    asked = service.get(f"/api/v1/runs/{run['id']}/changes", params={"baseline": "lqr"}).json()["changes"]
+    assert other["changes"]["passive"][PEAK]["low"] == asked["passive"]["bump"]["body_acceleration"]["peak"]["low"]
+
+
+def test_a_recorded_drive_can_be_the_baseline(service: Service) -> None:
+    name = send(service, recorded(*SENT)).raise_for_status().json()["strategy"]
+    comparison = service.run(["lqr", "passive", name], SCENARIO, baseline=name).json()["comparison"]
+    assert comparison["baseline"] == name
+    assert not comparison["changes"]["passive"][PEAK]["beyond_variation"]
+    assert comparison["changes"]["lqr"][PEAK]["change"] < -50
+    assert "rough_road.pitch_acceleration.rms" not in comparison["changes"]["lqr"], "it does not have that"
+    assert "recording" not in str(comparison["verdict"]["best"])
+
+
+def test_a_baseline_that_failed_stays_the_baseline(service: Service, lqr_fails: int) -> None:
+    scenario = {"road": {"length": 131.7, "seed": lqr_fails}}
+    comparison = service.run(["lqr", "lv", "passive"], scenario, baseline="lqr").json()["comparison"]
+    assert (comparison["baseline"], comparison["changes"]) == ("lqr", {})
+    assert set(comparison["verdict"]["best"].values()) == {"lv"}
+    alone = service.run(["lqr"], {"road": {"length": 131.6, "seed": lqr_fails}}).json()["comparison"]
+    assert alone["verdict"] == {"text": "There is no result to compare.", "best": {}, "mixed": False}
+
+
+@pytest.mark.parametrize(
+    ("parameters", "said"),
+    [
+        ({"baseline": "skyhook"}, "This run has lv, lqr, passive; the baseline is one of them"),
+        ({"compare": "lv,skyhook"}, "This run has lv, lqr, passive: only these can be compared"),
+    ],
+)
+def test_what_the_run_does_not_have_is_refused(
+    client: httpx.Client, run: dict[str, Any], parameters: dict[str, str], said: str
+) -> None:
+    answer = get(client, run, **parameters)
+    assert answer.status_code == 422
+    assert answer.json()["errors"] == [{"pointer": "", "parameter": next(iter(parameters)), "message": said}]
+
+
+def test_live_refuses_a_baseline_that_does_not_run(service: Service) -> None:
+    answer = service.live(["lv"], {}, baseline="passive")
+    assert answer.status_code == 422
+    assert answer.json()["errors"][0]["pointer"] == "/baseline"

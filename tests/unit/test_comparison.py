@@ -1,0 +1,315 @@
+"""What results mean beside each other: changes, random variation, intervals over roads, and the verdict."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from itertools import permutations
+from math import nan, sqrt
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from backend.means_over_roads import Numbers, means_and_changes, paired_changes
+from sim_core import Comparison, Road, Scenario, compare, simulate
+from sim_core.catalogue import PAPER_METRICS
+from sim_core.comparison.change import change_between, change_on_one_road
+from sim_core.comparison.compare import compare_summaries
+from sim_core.comparison.variation import one_road_resolution
+from sim_core.errors import RidelabError
+from sim_core.strategies import STRATEGIES
+
+T_4 = 2.7764451  # Student's t at 97.5 %, 4 degrees of freedom (any table)
+
+
+def numbers(value: float) -> Numbers:
+    return {"bump": {"body": {"rms": value, "peak": 2 * value}}, "comfort": {"dose": value**2}}
+
+
+def test_the_interval_of_a_known_sample() -> None:
+    """Mean 3, s² = 2.5: the half width is t·s/√5."""
+    compared = means_and_changes({"lv": [numbers(value) for value in (1.0, 2.0, 3.0, 4.0, 5.0)]}, "lv")
+    half = T_4 * sqrt(2.5 / 5)
+    rms, peak = (compared.means["lv"]["bump"]["body"][statistic] for statistic in ("rms", "peak"))
+    assert [rms.value, rms.low, rms.high] == pytest.approx([3, 3 - half, 3 + half], rel=1e-7)
+    assert [peak.value, peak.low, peak.high] == pytest.approx([6, 6 - 2 * half, 6 + 2 * half], rel=1e-7)
+    assert compared.means["lv"]["comfort"]["dose"].value == 11
+    assert not compared.changes, "nothing is compared with itself"
+
+
+def test_a_change_is_that_of_the_means_and_exact_where_pairs_keep_their_ratio() -> None:
+    base = [1.0, 2.0, 4.0, 9.0]
+    compared = means_and_changes(
+        {"a": [numbers(0.6 * value) for value in base], "b": [numbers(value) for value in base]}, "b"
+    )
+    change = compared.changes["a"]["bump"]["body"]["rms"]
+    assert [change.value, change.low, change.high] == pytest.approx([-40, -40, -40], abs=1e-9)
+    assert list(compared.changes) == ["a"]
+
+
+def test_a_change_against_another_scenario_is_paired_by_road() -> None:
+    """Ratio of means by hand: b = (1, 2, 3), a = (2, 3, 5), r = 10/6; residuals a − r·b = (1/3, −1/3, 0), s = 1/3.
+
+    The half width is t·s/√3 over the base's mean 2; of independent means it would be eight times as wide.
+    """
+    driven = {"lv": [numbers(value) for value in (2.0, 3.0, 5.0)], "lqr": [numbers(1.0)] * 3}
+    against = {"lv": [numbers(value) for value in (1.0, 2.0, 3.0)], "passive": [numbers(1.0)] * 3}
+    changes = paired_changes(driven, against)
+    assert list(changes) == ["lv"], "what both have"
+    t_2 = 4.3026527
+    half = 100 * t_2 / 3 / sqrt(3) / 2
+    for statistic in ("rms", "peak"):
+        change = changes["lv"]["bump"]["body"][statistic]
+        middle = 100 * (10 / 6 - 1)
+        assert [change.value, change.low, change.high] == pytest.approx([middle, middle - half, middle + half])
+    with pytest.raises(ValueError, match="as many"):
+        paired_changes(driven, {"lv": against["lv"][:2]})
+
+
+def test_one_road_resolves_less_of_predictive_peaks() -> None:
+    """The table of docs/explanation/luck.md."""
+    resolved = {name: list(one_road_resolution(name).values()) for name in STRATEGIES}
+    assert resolved["lv"] == resolved["lv_hil"] == [7, 15]
+    assert resolved["lqr"] == resolved["passive"] == [7, 7]
+    assert list(one_road_resolution("recording:" + 22 * "a").values()) == [7, 15], "what controls it is not known"
+
+
+@pytest.mark.parametrize(
+    ("value", "base", "scale", "variation", "change", "beyond"),
+    [
+        (0.92, 1.0, 1, 7, -8.0, True),
+        (1.06, 1.0, 1, 7, 6.0, False),  # one road may do that
+        (1.06, 1.0, 1, 0, 6.0, True),  # where nothing is random it does not
+        (-1.5, -1.0, 1, 7, -50.0, True),
+        (1.0004, 1.0, 1, 0, 0.04, False),  # shows as 0.0 %
+        (123_456.0, 123_100.0, 1e-3, 0, 0.29, False),  # both show as 123 kN
+        (0.0, 1.0, 1, 15, -100.0, True),
+        (1.0, 0.0, 1, 15, None, True),  # nothing to compare with, and yet another value
+        (1e-9, 0.0, 1, 0, None, False),  # what rounding leaves of zero
+        (2e-9, 1e-9, 1, 0, None, False),
+    ],
+)
+def test_a_change_on_one_road(
+    value: float, base: float, scale: float, variation: float, change: float | None, beyond: bool
+) -> None:
+    found = change_on_one_road(value, base, scale=scale, variation=variation)
+    assert found.change == (None if change is None else pytest.approx(change, abs=0.005))
+    assert (found.low, found.high, found.beyond_variation) == (None, None, beyond)
+
+
+@pytest.mark.parametrize(
+    ("values", "base", "beyond"),
+    [
+        ([2.0, 3.0, 5.0], [1.0, 2.0, 3.0], True),  # the interval by hand is above
+        ([1.0, 3.0, 2.0], [2.0, 1.0, 3.0], False),  # it contains zero
+        ([0.0, 0.0, 0.0], [0.0, 0.0, 0.0], False),
+        ([1.0, 2.0, 1.5], [0.0, 0.0, 0.0], True),
+        ([1.001, 2.001, 3.001], [1.0, 2.0, 3.0], False),  # sure, and not to be seen in three digits
+    ],
+)
+def test_a_change_over_roads_is_beyond_random_variation_where_its_interval_excludes_zero(
+    values: list[float], base: list[float], beyond: bool
+) -> None:
+    found = change_between(values, base, variation=15)  # what one road resolves is of no account here
+    assert found.beyond_variation is beyond
+    assert (found.change is None) is (not any(base))
+
+
+positive = st.floats(0.01, 100)
+
+
+@given(st.lists(st.tuples(positive, positive), min_size=1, max_size=6), st.sampled_from([0.0, 7.0, 15.0]))
+def test_seen_from_the_other_side_a_change_is_the_inverse(pairs: list[tuple[float, float]], variation: float) -> None:
+    """1 + c/100 is a ratio, so that its logarithm changes sign; an interval turns over with it."""
+    values, base = map(list, zip(*pairs, strict=True))
+    one, other = (change_between(*each, variation=variation) for each in ((values, base), (base, values)))
+    assert one.change is not None
+    assert other.change is not None
+    assert (1 + one.change / 100) * (1 + other.change / 100) == pytest.approx(1)
+    # The change from the higher to the lower is the smaller one in percent, so one road resolves it later.
+    lower, higher = (one, other) if one.change < 0 else (other, one)
+    if len(pairs) == 1:
+        assert higher.beyond_variation or not lower.beyond_variation
+
+
+LABELS = {"lv": "LV control", "lqr": "LQR", "passive": "Passive", "skyhook": "Skyhook"}
+
+
+def summaries(values: Mapping[str, Sequence[float]], speeds: Mapping[str, float]) -> dict[str, list[dict[str, Any]]]:
+    """On one road: of each strategy the paper's eight metrics."""
+    found = {}
+    for name, row in values.items():
+        metrics: dict[str, Any] = {}
+        for key, value in zip(PAPER_METRICS, row, strict=False):
+            window, signal, statistic = key.split(".")
+            metrics.setdefault(window, {}).setdefault(signal, {})[statistic] = value
+        found[name] = [{"metrics": metrics, "comfort": {}, "arrival_speed_kmh": speeds.get(name, 20.0)}]
+    return found
+
+
+def compared(
+    values: Mapping[str, Sequence[float]], speeds: Mapping[str, float] | None = None, *, is_random: bool = True
+) -> Comparison:
+    return compare_summaries(summaries(values, speeds or {}), "passive", is_random=is_random)
+
+
+# rough road: body, pitch, front tyre, rear tyre; then the same on the bump
+LOW, HIGH = [1.0] * 8, [2.0] * 8
+SPEEDS = {"lv": 22.5, "lqr": 22.5, "passive": 50.0}
+VERDICTS: dict[str, tuple[dict[str, Sequence[float]], dict[str, float], str, bool]] = {
+    "one is best throughout": (
+        {"lv": LOW, "lqr": [1.5] * 8, "passive": HIGH},
+        SPEEDS,
+        "LV control is best in all 8 metrics. With LV control, the peak body acceleration on the bump is "
+        "50.0\u2009% lower than with Passive (random variation of one road: 15\u2009%). LV control and LQR meet the "
+        "bump at 22.5\u00a0km/h, Passive at 50.0\u00a0km/h.",
+        False,
+    ),
+    "the baseline is best": (
+        {"passive": LOW, "lqr": HIGH},
+        {},
+        "Passive is best in all 8 metrics. With Passive, the peak body acceleration on the bump is 50.0\u2009% "
+        "lower than with LQR (random variation of one road: 7\u2009%). Both meet the bump at 20.0\u00a0km/h.",
+        False,
+    ),
+    "some differences are random": (
+        {"lv": [1, 1, 1, 1, 1, 1, 1, 1.05], "lqr": [2] * 7 + [1.0]},
+        {},
+        "LV control is best in 7 of 8 metrics; in the other one no strategy is better beyond the random variation "
+        "of one road. Both meet the bump at 20.0\u00a0km/h.",
+        False,
+    ),
+    "most, and another one elsewhere": (
+        {"lv": [1] * 6 + [3, 3], "passive": [2] * 8},
+        {},
+        "LV control is best in 6 of 8 metrics, but Passive has the lowest peak tyre loads on the bump.",
+        True,
+    ),
+    "mixed": (
+        {"passive": [1, 1, 2, 2] * 2, "lv": [2, 2, 1, 1] * 2},
+        {},
+        "No clear winner: LV control has the lowest tyre loads, Passive the lowest accelerations.",
+        True,
+    ),
+    # As the page said it once: Passive is best in 3 of 8 metrics, behind in 4.
+    "more wins than any other, and more losses": (
+        {"passive": [1, 1, 1, 3, 3, 3, 3, 1], "lv": [2, 2, 2, 1, 1, 1, 1, 1.05], "lqr": [2, 2, 2, 1, 1, 1, 1, 1.04]},
+        {},
+        "No clear winner: LV control and LQR have the lowest RMS rear tyre dynamic load on the rough road and peak "
+        "accelerations and front tyre dynamic load on the bump, Passive the lowest RMS accelerations and front tyre "
+        "dynamic load on the rough road, LV control, LQR and Passive the lowest peak rear tyre dynamic load on the "
+        "bump.",
+        True,
+    ),
+    "no difference": (
+        {"lv": LOW, "lqr": [1.05] * 8},
+        {},
+        "No clear winner: LV control and LQR differ in none of 8 metrics beyond the random variation of one road.",
+        False,
+    ),
+    "two that are level, and one behind": (
+        {"lv": LOW, "lqr": [1.05] * 8, "passive": HIGH},
+        {},
+        "No clear winner: LV control and LQR differ in none of 8 metrics beyond the random variation of one road, "
+        "and no strategy is better than they are. With LV control, the peak",
+        False,
+    ),
+    "no bump": (
+        {"lv": LOW[:4], "passive": HIGH[:4]},
+        {},
+        "LV control is best in all 4 metrics. With LV control, the RMS body acceleration on the rough road is "
+        "50.0\u2009%",
+        False,
+    ),
+    "one strategy": ({"lv": LOW}, {}, "There is no other result to compare LV control with.", False),
+    "none": ({}, {}, "There is no result to compare.", False),
+    "speeds of many": (
+        {"lv": LOW, "lqr": HIGH, "skyhook": HIGH, "hybrid": HIGH, "passive": HIGH},
+        {"passive": 50.0},
+        "Passive meets the bump at 50.0\u00a0km/h, the others at 20.0\u00a0km/h.",
+        False,
+    ),
+}
+
+
+@pytest.mark.parametrize("case", VERDICTS)
+def test_the_verdict_names_no_loser_first_and_says_mixed_by_metric(case: str) -> None:
+    values, speeds, text, mixed = VERDICTS[case]
+    for order in permutations(values):
+        found = compared({name: values[name] for name in order}, speeds).verdict
+        assert text in found.text
+        assert found.mixed is mixed
+
+
+def test_where_nothing_is_random_every_difference_that_shows_counts() -> None:
+    found = compared({"lv": LOW, "lqr": [1.05] * 4 + [1.0] * 4}, is_random=False)
+    assert list(found.verdict.best.values()) == ["lv"] * 4 + [None] * 4
+    assert found.verdict.text.startswith("LV control is best in 4 of 8 metrics; in the other 4 no strategy is better.")
+    assert compared({}).verdict.best == {}
+    alike = compared({"lv": LOW, "lqr": LOW}, is_random=False).verdict
+    assert alike.text.startswith("No clear winner: LV control and LQR are equal in all 8 metrics.")
+    assert "random" not in alike.text
+
+
+metrics = st.lists(st.floats(0.0, 10.0).map(lambda value: round(value, 1)), min_size=8, max_size=8)
+
+
+@given(st.fixed_dictionaries(dict.fromkeys(LABELS, metrics)), st.booleans())
+def test_a_strategy_left_out_changes_no_others_numbers(values: dict[str, list[float]], is_random: bool) -> None:
+    """And where one is best among all, it is best among fewer."""
+    every = compared(values, is_random=is_random)
+    for left_out in ("lv", "lqr", "skyhook"):
+        fewer = compared({name: row for name, row in values.items() if name != left_out}, is_random=is_random)
+        assert fewer.changes == {name: changes for name, changes in every.changes.items() if name != left_out}
+        for metric, best in every.verdict.best.items():
+            assert best in (None, left_out) or fewer.verdict.best[metric] == best
+    for metric, best in every.verdict.best.items():
+        if best not in (None, "passive"):
+            change = every.changes[best][metric]
+            assert change.beyond_variation
+            assert change.change is None or change.change < 0
+
+
+def test_a_recorded_drive_is_compared_and_wins_nothing() -> None:
+    recording = "recording:" + 22 * "a"
+    values = {recording: [0.5] * 8, "lv": LOW, "lqr": [1.5] * 8}
+    found = compare_summaries(summaries(values, {}), recording, is_random=False)
+    assert found.baseline == recording
+    assert found.changes["lv"][PAPER_METRICS[0]].change == 100
+    assert set(found.verdict.best.values()) == {"lv"}
+    assert "100\u2009% higher than with Recording aaaaaa" in found.verdict.text
+    # It was driven over a real road, so a small difference may be random whatever the scenario is.
+    near = compare_summaries(summaries({recording: LOW, "lqr": [1.1] * 8}, {}), recording, is_random=False)
+    assert not near.changes["lqr"]["bump.body_acceleration.peak"].beyond_variation
+    missing = summaries(values, {})
+    missing[recording][0]["metrics"]["bump"] = {"body_acceleration": {"peak": nan}}
+    assert PAPER_METRICS[4] not in compare_summaries(missing, recording, is_random=False).changes["lv"]
+
+
+def test_results_of_the_core_are_compared_on_one_road_and_on_several() -> None:
+    scenarios = [Scenario(road=Road(seed=seed)) for seed in (1, 2, 3)]
+    results = {name: [simulate(each, name) for each in scenarios] for name in ("lqr", "passive")}
+    single = compare({name: each[0] for name, each in results.items()})
+    assert single.baseline == "passive"
+    assert single.changes == compare({name: each[:1] for name, each in results.items()}).changes
+    assert {"comfort.weighted_rms", "travel_time", *PAPER_METRICS} <= single.changes["lqr"].keys()
+    several = compare(results, "lqr")
+    change = several.changes["passive"]["bump.body_acceleration.peak"]
+    assert change.low is not None
+    assert change.high is not None
+    assert change.low < (change.change or 0) < change.high
+    assert "±" in several.verdict.text
+    smooth = {name: replace(each[0], scenario=Scenario(road=Road(roughness=0))) for name, each in results.items()}
+    assert "random" not in compare(smooth).verdict.text
+
+
+def test_what_cannot_be_compared_is_said() -> None:
+    result = simulate(Scenario(), "passive")
+    for results, baseline, message in (
+        ({}, None, "at least one result"),
+        ({"passive": result}, "lv", "The baseline is one of the results, passive: lv is none of them"),
+        ({"passive": [result, result], "lv": [result]}, None, "2 of passive, 1 of lv"),
+        ({"passive": []}, None, "0 of passive"),
+    ):
+        with pytest.raises(RidelabError, match=message):
+            compare(results, baseline)
