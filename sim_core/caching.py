@@ -1,11 +1,12 @@
 """Results shared between runs: one least-recently-used cache for all functions, bounded by the bytes of its arrays.
 
-Results with a few small arrays of a fixed shape, such as a car's matrices, are cached by `functools.lru_cache`.
+Results with a few small arrays of a fixed shape, such as a car's matrices, have a cache for each function
+(`small_cached`). Nobody can write into a cached array.
 """
 
 from collections import OrderedDict
 from collections.abc import Callable, Hashable, Iterable
-from functools import cache, wraps
+from functools import cache, lru_cache, wraps
 from threading import Lock
 from typing import Any, ParamSpec, TypeVar
 
@@ -50,6 +51,32 @@ def arrays(value: Any) -> list[NDArray[Any]]:
 def buffers(arrays: Iterable[NDArray[Any]]) -> dict[int, int]:
     """Bytes of each buffer by its identity; a view counts as its whole base array, which it keeps alive."""
     return {id(array): array.nbytes for array in arrays if not hasattr(array.base, "base")}
+
+
+def _make_read_only(arrays: Iterable[NDArray[Any]]) -> None:
+    for array in arrays:
+        if array.flags.writeable:  # asking takes a tenth of the time that setting does
+            array.flags.writeable = False
+
+
+def small_cached(entries: int) -> Callable[[Callable[P, T]], Callable[P, T]]:
+    """Cache the last few results of a pure function, whose arrays are small; nobody can write into them.
+
+    Args:
+        entries: How many results.
+    """
+
+    def decorate(function: Callable[P, T]) -> Callable[P, T]:
+        @lru_cache(maxsize=entries)
+        @wraps(function)
+        def read_only(*args: P.args, **kwargs: P.kwargs) -> T:
+            result = function(*args, **kwargs)
+            _make_read_only(arrays(result))
+            return result
+
+        return read_only  # type: ignore[return-value]  # its arguments are hashable
+
+    return decorate
 
 
 class Cache:
@@ -99,9 +126,7 @@ class Cache:
 
     def _put(self, key: Hashable, result: Any, arguments: Any) -> None:
         shared = arrays((result, arguments))
-        for array in shared:
-            if array.flags.writeable:  # asking takes a tenth of the time that setting does
-                array.flags.writeable = False
+        _make_read_only(shared)
         held = buffers(shared)
         if sum(held.values()) + _ENTRY_OVERHEAD > self._max_bytes or key in self._entries:
             return

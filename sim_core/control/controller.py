@@ -125,6 +125,16 @@ class Report:
     clipped_values: int | None = None
 
 
+class _Declared:
+    """The fields that a class declares, as it is now; one that a subclass replaces by a plain value is none of them."""
+
+    def __get__(self, _: object, kind: type["Controller"]) -> Mapping[str, ScenarioField | Option]:
+        members: dict[str, Any] = {}
+        for each in reversed(kind.__mro__):
+            members.update(vars(each))
+        return {name: value for name, value in members.items() if type(value) in (ScenarioField, Option)}
+
+
 class Controller:
     """A suspension controller and the speed plan it is driven with: a strategy.
 
@@ -170,16 +180,9 @@ class Controller:
     preview: Preview = "none"
     prediction_horizon: int = 0
     report: Report
-    declared: ClassVar[Mapping[str, ScenarioField | Option]] = {}
+    declared = _Declared()
     files: ClassVar[Sequence[str]] = ()
     file_digest: ClassVar[str | None] = None
-
-    def __init_subclass__(cls, **options: Any) -> None:
-        """List its options and scenario fields; one that a subclass replaces by a plain value is no longer listed."""
-        super().__init_subclass__(**options)
-        names = dict.fromkeys(name for each in reversed(cls.__mro__) for name in vars(each))
-        values = {name: getattr(cls, name) for name in names}
-        cls.declared = {name: value for name, value in values.items() if isinstance(value, ScenarioField | Option)}
 
     def __init__(self, **values: Any) -> None:
         """Set fields; what is not given has its default, or the scenario's value in a run.
@@ -282,10 +285,11 @@ class Controller:
         """Release what `start` took; called once after a run, also after one that failed."""
 
     def _set(self, scenario: Scenario) -> None:
-        options = scenario.own.of(self.id)
-        for name in options.keys() - self.options().keys():
-            raise RidelabError(f"{self.label} has no such option", field=f"{dotted.OWN}{self.id}.{name}")
-        self._as_set = {name: field_value(self, name, scenario) for name in self.declared}
+        options, declared = scenario.own.of(self.id), self.declared
+        for name in options:
+            if not isinstance(declared.get(name), Option):
+                raise RidelabError(f"{self.label} has no such option", field=option_name(type(self), name))
+        self._as_set = {name: field_value(self, name, field, scenario) for name, field in declared.items()}
         for name, value in self._as_set.items():
             setattr(self, name, checked_value(type(self), name, value) if name in options else value)
 
@@ -297,10 +301,9 @@ class Controller:
         return {name: checked_value(type(self), name, value) for name, value in changed.items()}
 
 
-def field_value(controller: Controller, name: str, scenario: Scenario) -> Any:
+def field_value(controller: Controller, name: str, field: ScenarioField | Option, scenario: Scenario) -> Any:
     """Return the value, not checked, that one of a controller's `declared` fields has in a run of a scenario."""
     own_values = vars(controller).get("_own_values", {})  # none where a subclass's __init__ does not call this one's
-    field = controller.declared[name]
     if name in own_values:
         return own_values[name]
     if isinstance(field, ScenarioField):
@@ -338,18 +341,21 @@ def _getter(name: str) -> Callable[[Scenario], Any]:
     return attrgetter(name)
 
 
-_option_fields: WeakKeyDictionary[type[Controller], dict[str, dotted.DottedField]] = WeakKeyDictionary()
+_OptionFields = tuple[dict[str, Option], dict[str, dotted.DottedField]]  # of which options these are the fields
+_option_fields: WeakKeyDictionary[type[Controller], _OptionFields] = WeakKeyDictionary()
 
 
 def option_fields(kind: type[Controller]) -> Mapping[str, dotted.DottedField]:
     """A controller's options as fields of the scenario, by their own names."""
-    if kind not in _option_fields:
+    options = kind.options()
+    known = _option_fields.get(kind)
+    if known is None or known[0] != options:
         types = get_type_hints(kind)
-        _option_fields[kind] = {
-            name: _option_field(kind, name, types.get(name, type(each.default)))
-            for name, each in kind.options().items()
+        fields = {
+            name: _option_field(kind, name, types.get(name, type(each.default))) for name, each in options.items()
         }
-    return _option_fields[kind]
+        known = _option_fields[kind] = options, fields
+    return known[1]
 
 
 def option_name(kind: type[Controller], name: str) -> str:

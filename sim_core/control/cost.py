@@ -12,6 +12,7 @@ from math import pi
 import numpy as np
 
 from sim_core.arrays import FloatArray
+from sim_core.caching import small_cached
 from sim_core.errors import UnstableVehicleError
 from sim_core.matrices import exponential, gauss_legendre, lyapunov
 from sim_core.road.profile import CUTOFF_FREQUENCY, REFERENCE_FREQUENCY
@@ -61,7 +62,7 @@ def passive_rms(
     return float(a), float(pitch), float(front), float(rear)
 
 
-@lru_cache(maxsize=128)
+@small_cached(128)
 def _interval_means(vehicle: Vehicle, sample_time: float) -> FloatArray:
     """For each cost output y the matrix S with z'S z = mean of y² over the interval; shape (6, 13, 13).
 
@@ -118,7 +119,7 @@ class CostTerms:
     rear_axle_offset: float | None = None
 
 
-@lru_cache(maxsize=512)
+@small_cached(512)
 def stage_cost(terms: CostTerms) -> FloatArray:
     """One interval's cost [1] as z'S z, S (13, 13); z as in `_interval_means`, with forces in kN."""
     S: FloatArray = np.tensordot(_scales(terms), _interval_means(terms.vehicle, terms.sample_time), axes=1)

@@ -1,11 +1,11 @@
 """The discrete infinite-horizon regulator of the shared cost, cross term included (section 4.2.2)."""
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
+from sim_core.caching import small_cached
 from sim_core.control.cost import KILO, CostTerms, stage_cost
 from sim_core.errors import RidelabError
 from sim_core.matrices import NOT_STABILISABLE, riccati, solve
@@ -25,7 +25,7 @@ class Regulator:
     P: FloatArray
 
 
-@lru_cache(maxsize=512)
+@small_cached(512)
 def regulator(terms: CostTerms) -> Regulator:
     """The LQR of that cost: P = A'PA + Q - (A'PB + N)(R + B'PB)⁻¹(B'PA + N').
 
@@ -58,7 +58,7 @@ def regulator(terms: CostTerms) -> Regulator:
     return Regulator(gain=-KILO * K, P=P)
 
 
-@lru_cache(maxsize=64)
+@small_cached(64)
 def feedforward(terms: CostTerms, horizon: int) -> FloatArray:
     """What the LQR's force has beside -K x where disturbances to come are known: gains on them (2, 3 · horizon).
 

@@ -62,7 +62,7 @@ class FmuController(Controller):
         self._inputs = [(numbers, [self._place(name) for name in names]) for numbers, names in _typed(fmu, inputs)]
         self._outputs = [(numbers, [FORCES.index(name) for name in names]) for numbers, names in _typed(fmu, outputs)]
         names = {each.name for each in inputs}
-        self._measures = not names.isdisjoint(_MEASURED)
+        self._measures, self._sees_road = not names.isdisjoint(_MEASURED), any(map(_sees_road, names))
         self._sample_time = step
         self._instance = Instance(fmu, self.folder, self.library, self.label)
         self._instance.begin(list(self._options()))
@@ -103,7 +103,7 @@ class FmuController(Controller):
         if not self.prediction_horizon:
             return values
         expected, heights = seen.disturbances, np.zeros((self.prediction_horizon, 2))
-        if "preview" in self.declared:
+        if self._sees_road:
             heights = seen.preview
         now = heights[0] - expected[:2, 0] * self._sample_time
         return [*values, *now.tolist(), *heights.T.ravel().tolist(), *expected[2].tolist()]

@@ -77,10 +77,9 @@ class LawDesign:
         (rows, inputs), horizon = self.limits.shape, self.horizon
         require(inputs == _LAW_INPUTS + _DISTURBANCES * horizon and horizon >= 0, "Limits on everything the law knows")
         require(self.gain.shape == (_FORCES, inputs), "A gain for everything the law knows")
-        screens = self._screens(horizon)
-        for each in screens:
+        arrays = self.gain, self.limits, *self._screens(horizon)
+        for each in arrays:
             each.flags.writeable = False  # a law is shared by runs
-        arrays = self.gain, self.limits, *screens
         object.__setattr__(self, "prepared", _prepare_law_design.prepare(rows, horizon, *arrays))
 
     def _screens(self, horizon: int) -> tuple[FloatArray, FloatArray]:

@@ -1,11 +1,11 @@
 """ISO 2631-1 frequency weighting Wk of vertical acceleration."""
 
-from functools import lru_cache
 from math import factorial, pi, sqrt
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
+from sim_core.caching import small_cached
 
 Quadratic = tuple[float, float, float]  # coefficients, highest power first
 Quotient = tuple[Quadratic, Quadratic]  # numerator and denominator
@@ -39,7 +39,7 @@ def wk_gain(frequency: FloatArray) -> FloatArray:
     return np.asarray(np.abs(np.prod([np.polyval(b, s) / np.polyval(a, s) for b, a in wk_quotients()], axis=0)))
 
 
-@lru_cache(maxsize=128)
+@small_cached(128)
 def weighting(step: float) -> FloatArray:
     """Wk over steps [s] between samples that are straight in between (24,), as `struct weighting` of kernel/record.c.
 

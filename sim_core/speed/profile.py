@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.caching import cached
+from sim_core.caching import cached, small_cached
 from sim_core.kernel.binding import plan_speed
 from sim_core.road.profile import RUN_IN
 from sim_core.scenario import Brake, Fuzzy, Scenario, Speed
@@ -99,7 +99,7 @@ def make_speed_profile(scenario: Scenario, plan: SpeedPlan) -> SpeedProfile:
     return _planned(scenario.speed, scenario.fuzzy, scenario.brake, scenario.vehicle.total_mass, *places)
 
 
-@lru_cache(maxsize=256)
+@small_cached(256)
 def _constant(speed: float) -> SpeedProfile:
     two, none = np.array([0.0, SPEED_CONTROL_PERIOD]), np.zeros(2)
     return SpeedProfile(

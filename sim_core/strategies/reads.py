@@ -63,8 +63,8 @@ def effective_preview(strategy: type[Controller], scenario: Scenario | None = No
         return READS_MOST
     made = strategy()
     preview: Any = made.preview
-    if "preview" in strategy.declared:
-        preview = READS_MOST if scenario is None else field_value(made, "preview", scenario)
+    if (field := strategy.declared.get("preview")) is not None:
+        preview = READS_MOST if scenario is None else field_value(made, "preview", field, scenario)
     return preview if preview in PREVIEW else READS_MOST
 
 

@@ -5,11 +5,11 @@ pitch rate, nose-down positive [rad/s]; wheel velocities, front and rear [m/s].
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
+from sim_core.caching import small_cached
 from sim_core.catalogue import METRIC_SIGNALS
 from sim_core.matrices import exponential
 from sim_core.scenario import Vehicle
@@ -46,7 +46,7 @@ def deflection_speeds(vehicle: Vehicle) -> FloatArray:
     return np.hstack([np.zeros((2, 4)), np.ones((2, 1)), _arms(vehicle)[:, None], -eye])
 
 
-@lru_cache(maxsize=128)
+@small_cached(128)
 def half_car(vehicle: Vehicle) -> LinearModel:
     """The continuous model of a vehicle (Eq. 7; wheel, body and pitch equations in docs/explanation/half-car.md)."""
     m, inertia = vehicle.body_mass, vehicle.pitch_inertia
@@ -92,7 +92,7 @@ class Measurement:
     F: FloatArray
 
 
-@lru_cache(maxsize=128)
+@small_cached(128)
 def measurement(vehicle: Vehicle) -> Measurement:
     """What a car's own sensors give."""
     model = half_car(vehicle)
@@ -116,7 +116,7 @@ def hold(A: FloatArray, inputs: FloatArray, step: float) -> tuple[FloatArray, Fl
     return over_step[:n, :n], over_step[:n, n:]
 
 
-@lru_cache(maxsize=128)
+@small_cached(128)
 def discrete(vehicle: Vehicle, step: float) -> LinearModel:
     """The model over one step [s] with force, road velocities and deceleration held; exact."""
     model = half_car(vehicle)

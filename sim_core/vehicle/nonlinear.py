@@ -14,6 +14,7 @@ from math import ceil, inf, pi
 import numpy as np
 
 from sim_core.arrays import FloatArray
+from sim_core.caching import small_cached
 from sim_core.scenario import Actuator, Vehicle
 from sim_core.scenario.damper import MOST_POINTS, hardest, with_origin
 from sim_core.vehicle.half_car import deflection_speeds, half_car
@@ -61,7 +62,7 @@ def _corner(actuator: Actuator) -> float:
     return 2 * pi * (actuator.bandwidth or 0.0)
 
 
-@lru_cache(maxsize=128)
+@small_cached(128)
 def numbers(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | None) -> FloatArray:
     """`struct vehicle` of kernel/car.c (119,)."""
     semi_active = dampers or SemiActiveDampers(least=0.0, most=0.0, most_force=0.0)

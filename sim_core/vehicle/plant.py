@@ -1,13 +1,12 @@
 """The linear car with its actuators, stepped exactly."""
 
 from dataclasses import dataclass
-from functools import lru_cache
 from math import pi
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.caching import cached
+from sim_core.caching import cached, small_cached
 from sim_core.kernel.prepared import CAUSES, NUMBERS
 from sim_core.scenario import Actuator, Vehicle
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, half_car, hold
@@ -51,7 +50,7 @@ def plant(vehicle: Vehicle, actuator: Actuator, step: float) -> Plant:
     return Plant(A=over_step, B=held[:, :FORCES], E=held[:, FORCES:])
 
 
-@lru_cache(maxsize=128)
+@small_cached(128)
 def effects(vehicle: Vehicle, actuator: Actuator, step: float) -> FloatArray:
     """What each cause alone makes of the state in a step [s] (20, 10), as `struct linear_step` of kernel/car.c has it.
 

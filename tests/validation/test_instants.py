@@ -232,9 +232,10 @@ def test_an_instant_is_of_the_object_and_the_class_as_they_are_now(field: str) -
     sample = np.flatnonzero(np.abs(driven["time"] - after.time) < 1e-9)[-1] + 1
     np.testing.assert_allclose(after.command, [driven[f"{axle}_force"][sample] for axle in ("front", "rear")])
     assert np.abs(after.command - before.command).max() > 100
-    if field == "gain":
-        kind.gain = 9000.0
-        np.testing.assert_array_equal(instant(BOUND, kind, **place).command, after.command)
+    instant(BOUND, kind, **place)
+    setattr(kind, field, 9000.0)
+    np.testing.assert_array_equal(instant(BOUND, kind, **place).command, after.command)
+    assert simulate(BOUND, kind).summary() == simulate(BOUND, controller).summary()
 
 
 def test_a_value_that_is_assigned_to_an_option_counts_as_one_that_is_given() -> None:

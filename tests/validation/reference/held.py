@@ -100,8 +100,9 @@ def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, fl
         seen = Seen(inputs, car, k, k, state, previous)
         law = controller.linear_law(seen.stage)
         assert law is not None
-        z = np.concatenate([state, previous, seen.disturbances.ravel()])
-        wanted = law.force(state, previous, seen.disturbances)
+        disturbances = inputs.disturbances[:, k]
+        z = np.concatenate([state, previous, disturbances.ravel()])
+        wanted = law.force(state, previous, disturbances)
         if law.limits is not None and np.abs(law.limits @ z).max() > 1:
             wanted = np.asarray(controller.force(seen))
         wanted = np.clip(wanted, -limit, limit)
