@@ -6,10 +6,19 @@ from typing import Any
 
 from backend.json_types import JsonObject
 from backend.paper import claims, models
+from backend.paper.absolutes import absolutes
 from backend.paper.attribution import COMFORT_FIGURES, EQUAL_SPEED, FACTORS, VARIANTS, compared, sentences, shares
 from backend.paper.claims import FIGURES, Judged
 from backend.paper.errata import ERRATA
-from backend.paper.readings import INTERPRETATIONS, READINGS, Interpretation, Reading, changes_of, interpretation_of
+from backend.paper.readings import (
+    INTERPRETATIONS,
+    READINGS,
+    Interpretation,
+    Reading,
+    changes_of,
+    interpretation_of,
+    load_factor,
+)
 from backend.paper.rows import Rows
 from backend.paper.tables import TABLES, PaperCell, PaperTable, cells
 from sim_core import __version__ as CORE_VERSION
@@ -52,7 +61,11 @@ def reproduction(
         progress=models.Progress(done=len(rows.by_key), total=rows.total),
         without_preview=models.WithoutPreview(reached=blind_counts["reached"], counts=blind_counts),
         scenario=claims.scenario_for(choices, 1),
-        cells=[_cell(cell, by_cell.get(cell), blind_by_cell.get(cell), ours, rows) for cell in cells()],
+        cells=[
+            _cell(cell, by_cell.get(cell), blind_by_cell.get(cell), ours, rows, load_factor(choices, cell.signal))
+            for cell in cells()
+        ],
+        absolutes=absolutes(named),
         readings=[_reading(reading, choices[reading.id]) for reading in READINGS.values()],
         rules=claims.RULES,
         tables=[_table(table) for table in TABLES],
@@ -184,7 +197,9 @@ def _of_variant(name: str, runs: RunsByVariant) -> dict[Any, list[float]]:
     return by_figure | {key: [run[name][key] for run in runs] for key in ("travel_time", *COMFORT_FIGURES)}
 
 
-def _cell(cell: PaperCell, item: Judged | None, blind: Judged | None, ours: claims.Values, rows: Rows) -> models.Cell:
+def _cell(
+    cell: PaperCell, item: Judged | None, blind: Judged | None, ours: claims.Values, rows: Rows, factor: float
+) -> models.Cell:
     base = ours.get(cell.against, {}).get((cell.window, cell.statistic, cell.signal))
     looks_ahead = {cell.strategy, cell.against} & set(claims.PREVIEWED)
     return models.Cell(
@@ -194,8 +209,9 @@ def _cell(cell: PaperCell, item: Judged | None, blind: Judged | None, ours: clai
         paper_base=cell.base,
         paper_change=cell.printed,
         misprint=None if cell.follows is None else models.Misprint(printed=cell.printed, follows=cell.follows),
-        our_value=None if item is None else item.value,
-        our_base=None if base is None else sum(base) / len(base),
+        our_value=None if item is None else factor * item.value,
+        our_base=None if base is None else factor * sum(base) / len(base),
+        our_factor=factor,
         without_preview=_judgement(blind, rows) if looks_ahead else None,
     )
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
-from backend.paper.readings import READINGS, changes_of
+from backend.paper.readings import READINGS, TYRE_LOADS, changes_of
 from backend.paper.tables import PaperCell, cells
 from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
 from sim_core.comparison.intervals import Interval, change_with_interval
@@ -24,6 +24,7 @@ IN_ECU = "lv_hil"  # the one that needs the ECU's program
 SIMULATED = tuple(name for name in STRATEGIES if name != IN_ECU)
 PREVIEWED = ("suspension_only", "lv", "lv_hil")  # those whose controller looks ahead
 WINDOW = "window"  # the reading that changes no run, only where its RMS are taken
+WITHOUT_RUNS = (WINDOW, TYRE_LOADS)  # those that change no run
 HIL_TOLERANCE = 8.0  # a HIL cell is reached within this of the simulation, either way [%]
 AGREEMENT = 10.0  # a simulated change agrees with the printed one within this, either way [percentage points]
 FIGURES = tuple((window, statistic, signal) for window, statistic in PAPER_VIEWS for signal in PAPER_SIGNALS)

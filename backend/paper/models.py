@@ -85,6 +85,7 @@ class Cell(Judgement):
     misprint: Misprint | None = Field(description="The verdict is then taken against `follows`")
     our_value: float | None = Field(description="Null where the cell is unavailable")
     our_base: float | None = Field(description="Null while pending")
+    our_factor: float = Field(description="By which ours were multiplied: 2 for doubled tyre loads, else 1")
     without_preview: Judgement | None = Field(description="Where a controller that looks ahead takes part")
 
 
@@ -93,6 +94,49 @@ class WithoutPreview(Answer):
 
     reached: int
     counts: Counts
+
+
+class OurAbsolute(Answer):
+    """Our value over the roads; SI."""
+
+    value: float = Field(description="Mean over the roads, times `factor`")
+    spread: float = Field(description="Standard deviation of one road, times `factor`")
+    factor: float = Field(description="2 where the interpretation doubles tyre loads, which has no explanation; else 1")
+
+
+class AbsoluteRow(Answer):
+    """A printed absolute and ours; SI. Ours is null while pending, or where the cell is unavailable."""
+
+    window: str
+    statistic: str
+    signal: str
+    strategy: str
+    printed: float
+    default: OurAbsolute | None
+    nearest: OurAbsolute | None
+
+
+class Distance(Answer):
+    """By which factor, either way, our absolutes are from the printed ones."""
+
+    values: int = Field(description="How many")
+    median: float
+    mean: float = Field(description="The geometric one")
+
+
+class Distances(Answer):
+    """The distances of an interpretation; null while values are pending."""
+
+    interpretation: str = Field(description="Its id")
+    uncontrolled: Distance | None = Field(description="Of the passive car and of speed control alone")
+    simulated: Distance | None = Field(description="Of all but hardware in the loop")
+
+
+class Absolutes(Answer):
+    """What the paper prints beside the changes."""
+
+    rows: list[AbsoluteRow]
+    distances: list[Distances]
 
 
 class ReadingChoice(Answer):
@@ -168,6 +212,7 @@ class PaperAnswer(Counted):
     without_preview: WithoutPreview
     scenario: Scenario
     cells: list[Cell]
+    absolutes: Absolutes
     readings: list[ReadingAnswer]
     rules: dict[str, str]
     tables: list[TableAnswer]

@@ -17,7 +17,7 @@ from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from backend.outcome import JSON_OPTIONS, Outcome, elapsed_ms
 from backend.paper.attribution import COMFORT_FIGURES, VARIANTS
-from backend.paper.claims import FIGURES, STRATEGIES, WINDOW, figures_by_window, figures_of, scenario_for
+from backend.paper.claims import FIGURES, STRATEGIES, WITHOUT_RUNS, figures_by_window, figures_of, scenario_for
 from backend.paper.readings import changes_of
 from sim_core import RidelabError, Road, Scenario, Speed
 from sim_core.catalogue import BUMP, PAPER_SIGNALS, PEAK
@@ -30,8 +30,8 @@ SPEEDS_KMH = tuple(range(10, 85, 5))  # of Figures 3-6, which the paper draws ov
 
 def requests_under(choices: Mapping[str, str], roads: range) -> dict[str, tuple[JobRun, ...]]:
     """By strategy the rows under these readings (reading -> choice), road by road."""
-    # Where the RMS are taken changes no run.
-    return _requests(tuple(sorted((name, choice) for name, choice in choices.items() if name != WINDOW)), roads)
+    of_runs = [(name, choice) for name, choice in choices.items() if name not in WITHOUT_RUNS]
+    return _requests(tuple(sorted(of_runs)), roads)
 
 
 @lru_cache(256)

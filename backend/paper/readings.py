@@ -1,8 +1,8 @@
 """Where the paper is silent or misprinted and a reader may choose: each reading is a few fields of the scenario.
 
 docs/reference/errata.md has those that are no choice. The first choice of each is Ridelab's. Each choice says which
-sentence or equation of the paper has it, or that it is ours. Two sets of choices have a name: the paper as Ridelab
-reads it, and as most of its printed changes are reached.
+sentence or equation of the paper has it, or that it is ours. Three sets of choices have a name: the paper as Ridelab
+reads it, as most of its printed changes are reached, and as its printed absolutes come out nearest.
 """
 
 from collections.abc import Mapping
@@ -12,8 +12,12 @@ from typing import Any
 from sim_core.errors import UnknownNameError
 from sim_core.scenario import Scenario
 from sim_core.scenario.presets import PRESETS
+from sim_core.scenario.road import CLASS_MEANS
 
 OURS = "ours"
+TYRE_LOADS = "tyre_loads"  # the reading that changes no run, only how tyre loads are shown
+
+_LOADS = ("front_tyre_load", "rear_tyre_load")
 
 # First and last position of the front axle [m].
 Intervals = tuple[tuple[float, float], ...]
@@ -30,6 +34,7 @@ class Choice:
         changes: The fields it changes, by dotted name.
         intervals: Where the RMS on the rough road are taken, of a choice of the reading `window`; None is the run's own
             window, 0 to the bump.
+        load_factor: By which tyre loads are multiplied where they are shown, of a choice of the reading `tyre_loads`.
     """
 
     id: str
@@ -37,6 +42,7 @@ class Choice:
     source: str
     changes: Mapping[str, Any] = field(default_factory=dict)
     intervals: Intervals | None = None
+    load_factor: float = 1.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -78,10 +84,10 @@ def _half_car() -> dict[str, Any]:
     }
 
 
-def _by_value(field: str, unit: str, values: Mapping[str, float]) -> tuple[Choice, ...]:
-    """Choices of a field's values, all ours: each value by its number in a unit."""
+def _by_value(field: str, unit: str, values: Mapping[str, float], source: str = OURS) -> tuple[Choice, ...]:
+    """Return choices of a field's values, each value by its number in a unit."""
     return tuple(
-        Choice(id=number, label=f"{number} {unit}", source=OURS, changes={field: value})
+        Choice(id=number, label=f"{number} {unit}", source=source, changes={field: value})
         for number, value in values.items()
     )
 
@@ -218,13 +224,71 @@ READINGS: dict[str, Reading] = {
             id="force_limit",
             title="Actuator force limit",
             description="The paper gives none.",
-            choices=_by_value("mpc.force_limit", "kN", {"5": 5000, "2.5": 2500, "10": 10_000, "20": 20_000}),
+            choices=(
+                *_by_value("mpc.force_limit", "kN", {"5": 5000, "2.5": 2500, "10": 10_000, "20": 20_000}),
+                Choice(
+                    id="none",
+                    label="None",
+                    source="Eq. 12-15 limit the deflection alone; 100 kN stands for none",
+                    changes={"mpc.force_limit": 100_000},
+                ),
+            ),
         ),
         Reading(
             id="travel_limit",
             title="Travel limit",
-            description="Eq. 14 names a limit of the deflection, f_dmax; the paper gives no value.",
-            choices=_by_value("mpc.deflection_limit", "mm", {"80": 0.08, "100": 0.1}),
+            description="Eq. 14 names a limit of the deflection, f_dmax; the paper gives no value. None is 1 m here; "
+            "the travel weight is divided by its square.",
+            choices=(
+                *_by_value("mpc.deflection_limit", "mm", {"80": 0.08, "100": 0.1}),
+                Choice(id="none", label="None", source=OURS, changes={"mpc.deflection_limit": 1}),
+            ),
+        ),
+        Reading(
+            id="rear_axle",
+            title="Rear axle",
+            description="No equation delays the road under the rear axle. A car's meets it later, by the wheelbase.",
+            choices=(
+                Choice(id="in_turn", label="A wheelbase later", source=OURS, changes={"road.rear_axle": "in_turn"}),
+                Choice(
+                    id="together",
+                    label="With the front",
+                    source="Eq. 7 has a road under each axle and no delay between them",
+                    changes={"road.rear_axle": "together"},
+                ),
+            ),
+        ),
+        Reading(
+            id="roughness",
+            title="Road class",
+            description="Twice as high a road, class C, gives the printed RMS without control.",
+            choices=(
+                Choice(
+                    id="B",
+                    label="B",
+                    source="Section 2.1.1: 64e-6 m³, class B",
+                    changes={"road.roughness": CLASS_MEANS["B"]},
+                ),
+                Choice(id="C", label="C", source=OURS, changes={"road.roughness": CLASS_MEANS["C"]}),
+            ),
+        ),
+        Reading(
+            id="bump_speed",
+            title="Speed over the bump",
+            description="Of those that slow down. The paper names a range.",
+            choices=_by_value(
+                "speed.target_speed_kmh", "km/h", {"22.5": 22.5, "20": 20, "25": 25}, "Section 3.1: 20 to 25 km/h"
+            ),
+        ),
+        Reading(
+            id=TYRE_LOADS,
+            title="Tyre loads, as shown",
+            description="No damping gives the printed tyre loads beside the printed body acceleration. A factor "
+            "changes no run and cancels in every change.",
+            choices=(
+                Choice(id="computed", label="As computed", source="Eq. 7: tyre stiffness times deflection"),
+                Choice(id="doubled", label="× 2", source=OURS, load_factor=2.0),
+            ),
         ),
     )
 }
@@ -240,6 +304,16 @@ def reading(name: str) -> Reading:
         return READINGS[name]
     except KeyError:
         raise UnknownNameError(f"Unknown reading; there are {', '.join(READINGS)}") from None
+
+
+def load_factor(choices: Mapping[str, str], signal: str) -> float:
+    """Return by what a signal's absolutes are multiplied where they are shown: 2 for doubled tyre loads, else 1.
+
+    Raises:
+        UnknownNameError: There is no such choice.
+    """
+    chosen = reading(TYRE_LOADS)
+    return chosen.choice(choices.get(TYRE_LOADS, chosen.default)).load_factor if signal in _LOADS else 1.0
 
 
 def changes_of(choices: Mapping[str, str]) -> dict[str, Any]:
@@ -288,7 +362,21 @@ FAVOURABLE = Interpretation(
         "travel_limit": "100",
     },
 )
-INTERPRETATIONS = {each.id: each for each in (DEFAULT, FAVOURABLE)}
+NEAREST = Interpretation(
+    id="nearest",
+    title="Nearest",
+    description="What comes nearest to the printed values without control: both axles meet the road together, class C, "
+    "25 km/h on the bump, no limits of force or travel, and tyre loads doubled, which has no explanation.",
+    otherwise={
+        "force_limit": "none",
+        "travel_limit": "none",
+        "rear_axle": "together",
+        "roughness": "C",
+        "bump_speed": "25",
+        TYRE_LOADS: "doubled",
+    },
+)
+INTERPRETATIONS = {each.id: each for each in (DEFAULT, FAVOURABLE, NEAREST)}
 
 
 def interpretation_of(choices: Mapping[str, str]) -> str | None:

@@ -161,7 +161,7 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
 
         Args:
             asked: `seeds`, how many roads (20), from `first_seed` (1) on; `interpretation`, a named set of readings,
-                `default` or `favourable`; `readings`, reading -> choice, those that are not the set's.
+                `default`, `favourable` or `nearest`; `readings`, reading -> choice, those that are not the set's.
         """
         return self._http.json("GET", f"{API}/paper", params=_flattened(**asked))
 

@@ -53,14 +53,13 @@ def test_a_switch_changes_what_it_says(client: httpx.Client, answer: dict[str, A
             assert {key: cell[key] for key in without} == without
 
 
-def test_both_named_sets_stand_beside_each_other_under_any_reading(
-    client: httpx.Client, answer: dict[str, Any]
-) -> None:
-    favourable = client.get(PAPER, params={"interpretation": "favourable"}).json()
-    assert [item["interpretation"] for item in (answer, favourable)] == ["default", "favourable"]
-    assert [item["id"] for item in answer["interpretations"]] == ["default", "favourable"]
-    assert answer["interpretations"] == favourable["interpretations"]
-    for item, own in zip(answer["interpretations"], (answer, favourable), strict=True):
+def test_the_named_sets_stand_beside_each_other_under_any_reading(client: httpx.Client, answer: dict[str, Any]) -> None:
+    names = ["default", "favourable", "nearest"]
+    favourable, nearest = (client.get(PAPER, params={"interpretation": name}).json() for name in names[1:])
+    assert [item["interpretation"] for item in (answer, favourable, nearest)] == names
+    assert [item["id"] for item in answer["interpretations"]] == names
+    assert answer["interpretations"] == favourable["interpretations"] == nearest["interpretations"]
+    for item, own in zip(answer["interpretations"], (answer, favourable, nearest), strict=True):
         assert {key: own[key] for key in models.Counted.model_fields} == {
             key: item[key] for key in models.Counted.model_fields
         }
@@ -71,6 +70,34 @@ def test_both_named_sets_stand_beside_each_other_under_any_reading(
     assert favourable["scenario"]["vehicle"]["cg_height"] == 0
     assert favourable["scenario"]["mpc"]["deflection_limit"] == 0.1
     assert answer["interpretations"][1]["changes"]["mpc.force_limit"] == 20_000
+    assert nearest["scenario"] == client.get("/api/v1/presets").json()[2]["scenario"]
+
+
+def test_absolutes_stand_beside_the_printed_ones_and_say_where_tyre_loads_are_doubled(
+    client: httpx.Client, answer: dict[str, Any]
+) -> None:
+    """In the cells of the tables too; a factor cancels in every change."""
+    nearest = client.get(PAPER, params={"interpretation": "nearest"}).json()
+    plain = client.get(PAPER, params={"interpretation": "nearest", "tyre_loads": "computed"}).json()
+    assert answer["absolutes"] == nearest["absolutes"]
+    rows = {(row["window"], row["signal"], row["strategy"]): row for row in answer["absolutes"]["rows"]}
+    assert len(rows) == 48
+    for one, other, single in zip(answer["cells"], nearest["cells"], plain["cells"], strict=True):
+        row = rows[one["window"], one["signal"], one["strategy"]]
+        assert row["printed"] == one["paper_value"]
+        for name, cell in (("default", one), ("nearest", other)):
+            assert row[name]["value"] == pytest.approx(cell["our_value"], rel=1e-12)
+            assert row[name]["factor"] == cell["our_factor"]
+            assert 0 < row[name]["spread"] < 0.6 * row[name]["value"]
+        assert other["our_factor"] == (2 if "tyre_load" in other["signal"] else 1)
+        assert single["our_factor"] == one["our_factor"] == 1
+        assert other["our_value"] == other["our_factor"] * single["our_value"]
+        assert other["our_change"] == single["our_change"]
+    distances = {item["interpretation"]: item for item in answer["absolutes"]["distances"]}
+    assert distances["nearest"]["uncontrolled"]["values"] == 16
+    assert distances["nearest"]["simulated"]["values"] == 40
+    assert 1.1 < distances["nearest"]["uncontrolled"]["median"] < 1.15
+    assert 2.4 < distances["default"]["uncontrolled"]["median"] < 2.6
 
 
 def test_a_single_switch_overrides_the_named_set(service: Service) -> None:

@@ -1,7 +1,7 @@
 """The paper's reproduction, stored in tests/data, so that no test of the paper page has to compute it.
 
-It is what a service stores for the page by its default readings, by the favourable ones and by either without preview,
-on 20 roads. tests/api/test_reproduction.py computes a sample of it anew, `make drill` all; UPDATE_DOCS=1 writes
+It is what a service stores for the page under each named set of readings and under each without preview, on 20
+roads. tests/api/test_reproduction.py computes a sample of it anew, `make drill` all; UPDATE_DOCS=1 writes
 what this core computes. A service under test takes it into its database, before it starts or while it runs:
 
     store_in(store)                                          # a `backend.store.Store` of this process
@@ -23,7 +23,7 @@ from backend.db.database import insert_new
 from backend.db.tables import results
 from backend.job_run import JobRun
 from backend.paper import claims, paper_rows
-from backend.paper.readings import DEFAULT, FAVOURABLE
+from backend.paper.readings import INTERPRETATIONS
 from backend.scenario_at import scenario_at
 from backend.store import Store
 from sim_core import __version__ as CORE_VERSION
@@ -38,8 +38,7 @@ ROADS = range(1, claims.SEEDS + 1)
 
 def requests(roads: range = ROADS) -> list[JobRun]:
     """The rows that the page needs first, in an order that does not depend on the roads."""
-    named = (DEFAULT.choices, FAVOURABLE.choices)
-    sets = [choices | preview for choices in named for preview in ({}, {"preview": "none"})]
+    sets = [item.choices | preview for item in INTERPRETATIONS.values() for preview in ({}, {"preview": "none"})]
     under = [row for choices in sets for row in in_order(paper_rows.requests_under(choices, roads))]
     studies = [
         row

@@ -9,15 +9,17 @@ import numpy as np
 import pytest
 
 from backend.paper import answers, claims
+from backend.paper.absolutes import distance, printed
 from backend.paper.attribution import FACTORS, VARIANTS, shares
 from backend.paper.claims import FIGURES, Verdict, judge, scenario_for, verdict
 from backend.paper.paper_rows import compute_row
-from backend.paper.readings import DEFAULT, FAVOURABLE, INTERPRETATIONS, OURS, READINGS, interpretation_of
+from backend.paper.readings import DEFAULT, FAVOURABLE, INTERPRETATIONS, NEAREST, OURS, READINGS, interpretation_of
 from backend.paper.tables import ABSOLUTES, TABLES, cells
 from sim_core import Road, Scenario, simulate
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.errors import UnknownNameError
 from sim_core.scenario.dotted import field
+from sim_core.scenario.presets import preset
 from sim_core.strategies import STRATEGIES, values_read
 from tests.docs.causes import least_change
 
@@ -131,7 +133,7 @@ def test_every_reading_changes_fields_that_exist_and_the_first_choice_is_ours() 
             for name, value in choice.changes.items():
                 field(name).checked(value)
             ours = scenario_for({reading.id: choice.id}, 1).model_dump(mode="json")
-            changes_no_run = choice.id == reading.default or reading.id == claims.WINDOW
+            changes_no_run = choice.id == reading.default or reading.id in claims.WITHOUT_RUNS
             assert (ours == default) == changes_no_run, (reading.id, choice.id)
             assert (choice.intervals is None) == (choice.id == reading.default or reading.id != claims.WINDOW)
     for unknown in ({"colour": "red"}, {"preview": "red"}):
@@ -150,11 +152,13 @@ def test_the_named_sets() -> None:
     assert {name: item.choices[claims.WINDOW] for name, item in INTERPRETATIONS.items()} == {
         "default": "to_bump",
         "favourable": "full_course",
+        "nearest": "to_bump",
     }
     scenario = scenario_for(FAVOURABLE.choices, 1)
     assert scenario.vehicle.cg_height == 0
     assert (scenario.mpc.force_limit, scenario.mpc.sample_time, scenario.mpc.deflection_limit) == (20_000, 0.005, 0.1)
     assert scenario_for(DEFAULT.choices, 1) == Scenario()
+    assert scenario_for(NEAREST.choices, 1) == preset("paper_nearest")
     assert [interpretation_of(item.choices) for item in INTERPRETATIONS.values()] == list(INTERPRETATIONS)
     assert interpretation_of(FAVOURABLE.choices | {"force_limit": "10"}) is None
 
@@ -228,3 +232,15 @@ def test_a_row_is_the_same_by_the_name_that_older_versions_stored() -> None:
     row, older = (compute_row(scenario, name, "key") for name in ("passive", "paper.passive"))
     assert (row.status, row.json) == (older.status, older.json)
     assert row.status == "ok"
+
+
+def test_a_distance_is_a_factor_either_way() -> None:
+    """Half and twice what is printed are as far; of factors 2, 2 and 8 the median is 2, the geometric mean 2^(5/3)."""
+    first, second, third = FIGURES[:3]
+    ours = {
+        "passive": {first: printed("passive", first) / 2, second: printed("passive", second) * 2},
+        "lv": {third: printed("lv", third) * 8},
+    }
+    away = distance(ours)
+    assert away.values == 3
+    assert (away.median, away.mean) == pytest.approx((2, 2 ** (5 / 3)))

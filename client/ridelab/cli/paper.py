@@ -13,8 +13,9 @@ from ridelab.cli.service import Services
 _HEADS = ("table", "figure", "strategy", "against", "printed", "change", "ours", "change", "95 %", "verdict")
 _BLIND = ("without preview", "95 %", "verdict")
 _SETS = ("interpretation", "reached", "simulated", "ECU, ±8 %", "within ±10 points", "printed in our interval")
+_ABSOLUTES = ("figure", "strategy", "printed", "default", "one road", "nearest", "one road")
 _READING = "Read the paper otherwise, such as preview=none; may be repeated."
-_SET = "A named set of readings, default or favourable; --reading overrides it."
+_SET = "A named set of readings: default, favourable or nearest; --reading overrides it."
 _ROADS = "Roads that every strategy drives, 20 to 100: seeds 1 to N, or A to B."
 _REPORT = "Write all of it as one HTML file, figures too."
 
@@ -63,6 +64,11 @@ def _show(answer: Mapping[str, Any], names: Names) -> None:
     if (missing := answer["unavailable"]) is not None:
         typer.echo(f"{missing['cells']} cells not available here. {missing['reason']}")
     typer.echo()
+    show_table(_ABSOLUTES, [_absolute(row, names.signals[row["signal"]][1]) for row in answer["absolutes"]["rows"]])
+    typer.echo("×2: tyre loads are doubled there, which has no explanation\n")
+    for item in answer["absolutes"]["distances"]:
+        typer.echo(_distances(item))
+    typer.echo()
     show_table(_SETS, [_set(item) for item in answer["interpretations"]])
     seeds = f"{answer['first_seed']}-{answer['first_seed'] + answer['seeds'] - 1}"
     typer.echo(f"\nwithout preview: {_counted(answer['without_preview'], answer['total'])}")
@@ -76,6 +82,29 @@ def _set(item: Mapping[str, Any]) -> list[str]:
         reached[2] = "not available"
     near = item["agreement"]
     return [item["id"], *reached, *(f"{near[key]} of {near['cells']}" for key in ("within", "in_interval"))]
+
+
+def _absolute(row: Mapping[str, Any], unit: str) -> list[str]:
+    """Return a printed absolute and ours, each with the spread of one road."""
+    figure = f"{row['window']}.{row['signal']}.{row['statistic']} [{unit}]"
+    return [figure, row["strategy"], f"{row['printed']:g}", *_ours(row["default"]), *_ours(row["nearest"])]
+
+
+def _ours(item: Mapping[str, Any] | None) -> list[str]:
+    if item is None:
+        return ["-", "-"]
+    doubled = "" if item["factor"] == 1 else f" ×{item['factor']:g}"
+    return [f"{item['value']:.4g}{doubled}", f"± {100 * item['spread'] / item['value']:.0f} %"]
+
+
+def _distances(item: Mapping[str, Any]) -> str:
+    """Return in words how far an interpretation's absolutes are from the printed ones."""
+    uncontrolled, simulated = item["uncontrolled"], item["simulated"]
+    return (
+        f"{item['interpretation']}: the {uncontrolled['values']} printed values without control are a factor of "
+        f"{uncontrolled['median']:.2f} (median) or {uncontrolled['mean']:.2f} (mean) away, all {simulated['values']} "
+        f"that are simulated {simulated['median']:.2f} or {simulated['mean']:.2f}"
+    )
 
 
 def _roads(text: str) -> dict[str, int]:

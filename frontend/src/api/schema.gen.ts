@@ -178,6 +178,19 @@ export interface paths {
 }
 export interface components {
     schemas: {
+        readonly AbsoluteRow: {
+            readonly default: components["schemas"]["OurAbsolute"] | null;
+            readonly nearest: components["schemas"]["OurAbsolute"] | null;
+            readonly printed: number;
+            readonly signal: string;
+            readonly statistic: string;
+            readonly strategy: string;
+            readonly window: string;
+        };
+        readonly Absolutes: {
+            readonly distances: readonly components["schemas"]["Distances"][];
+            readonly rows: readonly components["schemas"]["AbsoluteRow"][];
+        };
         readonly Agreement: {
             readonly cells: number;
             readonly in_interval: number;
@@ -444,6 +457,7 @@ export interface components {
             readonly misprint: components["schemas"]["Misprint"] | null;
             readonly our_base: number | null;
             readonly our_change: number | null;
+            readonly our_factor: number;
             readonly our_value: number | null;
             readonly paper_base: number;
             readonly paper_change: number;
@@ -695,6 +709,16 @@ export interface components {
             readonly units: {
                 readonly [key: string]: string;
             };
+        };
+        readonly Distance: {
+            readonly mean: number;
+            readonly median: number;
+            readonly values: number;
+        };
+        readonly Distances: {
+            readonly interpretation: string;
+            readonly simulated: components["schemas"]["Distance"] | null;
+            readonly uncontrolled: components["schemas"]["Distance"] | null;
         };
         readonly EqualSpeed: {
             readonly against: string;
@@ -1076,6 +1100,11 @@ export interface components {
             readonly least: number;
             readonly most: number;
         };
+        readonly OurAbsolute: {
+            readonly factor: number;
+            readonly spread: number;
+            readonly value: number;
+        };
         readonly PairedChanges: {
             readonly against: string | null;
             readonly baseline: string | null;
@@ -1085,6 +1114,7 @@ export interface components {
             readonly roads: number;
         };
         readonly PaperAnswer: {
+            readonly absolutes: components["schemas"]["Absolutes"];
             readonly agreement: components["schemas"]["Agreement"];
             readonly cells: readonly components["schemas"]["Cell"][];
             readonly complete: boolean;
@@ -1755,6 +1785,8 @@ export interface components {
     headers: never;
     pathItems: never;
 }
+export type AbsoluteRow = components['schemas']['AbsoluteRow'];
+export type Absolutes = components['schemas']['Absolutes'];
 export type Agreement = components['schemas']['Agreement'];
 export type AttributionAnswer = components['schemas']['AttributionAnswer'];
 export type AxlesAnswer = components['schemas']['AxlesAnswer'];
@@ -1806,6 +1838,8 @@ export type CreatedRun = components['schemas']['CreatedRun'];
 export type DataSheet = components['schemas']['DataSheet'];
 export type Deviation = components['schemas']['Deviation'];
 export type Deviations = components['schemas']['Deviations'];
+export type Distance = components['schemas']['Distance'];
+export type Distances = components['schemas']['Distances'];
 export type EqualSpeed = components['schemas']['EqualSpeed'];
 export type Erratum = components['schemas']['Erratum'];
 export type Estimate = components['schemas']['Estimate'];
@@ -1854,6 +1888,7 @@ export type ModesAnswer = components['schemas']['ModesAnswer'];
 export type Objective = components['schemas']['Objective'];
 export type ObjectiveAnswer = components['schemas']['ObjectiveAnswer'];
 export type Operations = components['schemas']['Operations'];
+export type OurAbsolute = components['schemas']['OurAbsolute'];
 export type PairedChanges = components['schemas']['PairedChanges'];
 export type PaperAnswer = components['schemas']['PaperAnswer'];
 export type PaperFigure = components['schemas']['PaperFigure'];
@@ -2316,17 +2351,21 @@ export interface operations {
         readonly parameters: {
             readonly query?: {
                 readonly braking_moment?: ("on" | "off") | null;
+                readonly bump_speed?: ("22.5" | "20" | "25") | null;
                 readonly first_seed?: number;
-                readonly force_limit?: ("5" | "2.5" | "10" | "20") | null;
-                readonly interpretation?: "default" | "favourable";
+                readonly force_limit?: ("5" | "2.5" | "10" | "20" | "none") | null;
+                readonly interpretation?: "default" | "favourable" | "nearest";
                 readonly lqr_preview?: ("lookahead" | "obstacle" | "wheelbase" | "none") | null;
                 readonly partial?: boolean;
                 readonly preview?: ("lookahead" | "obstacle" | "wheelbase" | "none") | null;
+                readonly rear_axle?: ("in_turn" | "together") | null;
                 readonly road_end?: ("150" | "110") | null;
+                readonly roughness?: ("B" | "C") | null;
                 readonly sample_time?: ("10" | "5" | "20") | null;
                 readonly seeds?: number;
-                readonly travel_limit?: ("80" | "100") | null;
+                readonly travel_limit?: ("80" | "100" | "none") | null;
                 readonly travel_weight?: ("3" | "0") | null;
+                readonly tyre_loads?: ("computed" | "doubled") | null;
                 readonly vehicle?: ("printed" | "half") | null;
                 readonly window?: ("to_bump" | "class_b" | "full_course") | null;
             };
@@ -2388,16 +2427,20 @@ export interface operations {
         readonly parameters: {
             readonly query?: {
                 readonly braking_moment?: ("on" | "off") | null;
+                readonly bump_speed?: ("22.5" | "20" | "25") | null;
                 readonly first_seed?: number;
-                readonly force_limit?: ("5" | "2.5" | "10" | "20") | null;
-                readonly interpretation?: "default" | "favourable";
+                readonly force_limit?: ("5" | "2.5" | "10" | "20" | "none") | null;
+                readonly interpretation?: "default" | "favourable" | "nearest";
                 readonly lqr_preview?: ("lookahead" | "obstacle" | "wheelbase" | "none") | null;
                 readonly preview?: ("lookahead" | "obstacle" | "wheelbase" | "none") | null;
+                readonly rear_axle?: ("in_turn" | "together") | null;
                 readonly road_end?: ("150" | "110") | null;
+                readonly roughness?: ("B" | "C") | null;
                 readonly sample_time?: ("10" | "5" | "20") | null;
                 readonly seeds?: number;
-                readonly travel_limit?: ("80" | "100") | null;
+                readonly travel_limit?: ("80" | "100" | "none") | null;
                 readonly travel_weight?: ("3" | "0") | null;
+                readonly tyre_loads?: ("computed" | "doubled") | null;
                 readonly vehicle?: ("printed" | "half") | null;
                 readonly window?: ("to_bump" | "class_b" | "full_course") | null;
             };

@@ -191,7 +191,7 @@ function Interpretations({ paper }: Props) {
   const [choices, choose] = useChoices();
   return (
     <DataTable
-      label="Both interpretations"
+      label="Interpretations"
       card
       attributes={{ "data-testid": "interpretations" }}
       rows={paper.interpretations}

@@ -100,8 +100,8 @@ function groupOf(
 }
 
 function columnsOf(first: PaperCell | undefined, words: Labels): readonly Column<PaperCell>[] {
-  const shown = (value: number | null, { signal }: PaperCell) =>
-    value === null ? "–" : formatResult(value * words.unit(signal).scale);
+  const shown = (value: number | null, { signal, our_factor: factor }: PaperCell) =>
+    value === null ? "–" : formatResult(value * words.unit(signal).scale) + (factor === 1 ? "" : ` (×${factor})`);
   const [paper, here] = [
     { group: "Paper", head: "" },
     { group: "Here", head: "" },
