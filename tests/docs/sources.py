@@ -11,7 +11,7 @@ CLIENT = re.compile(r"^(?:from|import) ridelab\b", re.MULTILINE)
 
 def pages() -> dict[str, str]:
     """Return the text of each page, by its path in the repository."""
-    files = [*ROOT.glob("*.md"), *ROOT.glob("*/README.md"), *(ROOT / "docs").rglob("*.md")]
+    files = [*ROOT.glob("*.md"), *ROOT.glob("[!.]*/README.md"), *(ROOT / "docs").rglob("*.md")]
     return {str(path.relative_to(ROOT)): path.read_text(encoding="utf-8") for path in sorted(files)}
 
 
