@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from sim_core.arrays import FloatArray
+from sim_core.control.cost import KILO
 from sim_core.ecu.calibration import MOST_ACTIVE, Calibration
 from sim_core.ecu.channels import PREVIEW, SENSORS, STAGES, highest_code
 from sim_core.vehicle.half_car import FORCES, STATES
@@ -34,8 +35,8 @@ def _body(calibration: Calibration) -> bytes:
         calibration.iterations,
         highest_code(calibration.bits),
     )
-    real = (calibration.command_step, calibration.force_limit, calibration.slack_price, calibration.slack_yield)
-    head = struct.pack("<6i4f", *whole, *real)
+    real = (calibration.command_step, calibration.slack_price, calibration.slack_yield)
+    head = struct.pack("<6i3f", *whole, *real)
     parts = [
         _single(part)
         for part in (calibration.input_steps, calibration.A, calibration.B, calibration.E, calibration.bounds)
@@ -79,7 +80,7 @@ def calibration_header(calibration: Calibration) -> str:
         first = STATES + i * calibration.preview_length
         last = first + calibration.preview_length - 1
         lines.append(f"   codes {first} to {last}: {channel.label.lower()}, +-{channel.full_scale:g} {channel.unit}")
-    lines.append(f"   commands: force front and rear, +-{calibration.force_limit * 1000:g} N */")
+    lines.append(f"   commands: force front and rear, +-{calibration.command_step * highest * KILO:g} N */")
     lines.append("extern const ridelab_tables ridelab_calibration;")
     return _guarded("RIDELAB_CALIBRATION_H", "The tables of one scenario.", lines)
 
@@ -108,7 +109,6 @@ def tables_source(calibration: Calibration) -> str:
         "iterations": str(calibration.iterations),
         "highest": str(highest_code(calibration.bits)),
         "command_step": _text(calibration.command_step),
-        "force_limit": _text(calibration.force_limit),
         "slack_price": _text(calibration.slack_price),
         "slack_yield": _text(calibration.slack_yield),
         **{name: name for name in single},

@@ -45,7 +45,6 @@ class Calibration:
         bits: Of the converters.
         input_steps: What one code stands for: 8 states, then the three preview channels (11,).
         command_step: What one code of a command stands for [kN].
-        force_limit: Of the commands [kN].
         A: Of the car over one control step (8, 8).
         B: The same for forces in kN (8, 2).
         E: The same for disturbances (8, 3).
@@ -63,7 +62,6 @@ class Calibration:
     bits: int
     input_steps: FloatArray
     command_step: float
-    force_limit: float
     A: FloatArray
     B: FloatArray
     E: FloatArray
@@ -108,7 +106,6 @@ def calibrate(
         bits=hil.bits,
         input_steps=np.array([channel.full_scale / highest for channel in (*SENSORS, *PREVIEW)]),
         command_step=force_limit / KILO / highest,
-        force_limit=force_limit / KILO,
         A=model.A,
         B=model.B * KILO,
         E=model.E,

@@ -15,7 +15,7 @@ _REALS = Array(ndim=1, dtype=np.float32)
 _TABLES = Array(ndim=3, dtype=np.float32)
 _ecu_step = Function(
     "ecu_step",
-    *(Array(6, dtype=np.int32), Array(4, dtype=np.float32), Array(115, dtype=np.float32), _REALS),
+    *(Array(6, dtype=np.int32), Array(3, dtype=np.float32), Array(115, dtype=np.float32), _REALS),
     *(Array(ndim=1, dtype=np.int8), _TABLES, _TABLES),
     *(Array(FORCES, dtype=np.float32, written=True), Array(ndim=1, dtype=np.int32)),
     *(Array(_ANSWER, dtype=np.int32, written=True), Array(1, dtype=np.float32, written=True), INT),
@@ -44,7 +44,7 @@ class CompiledEcu(Ecu):
         self._codes = np.zeros(STATES + len(PREVIEW) * tables.preview_length, dtype=np.int32)
         self._answer, self._slack = np.zeros(_ANSWER, dtype=np.int32), np.zeros(1, dtype=np.float32)
         sizes = tables.intervals, tables.preview_length, rows, tables.predicts, tables.iterations
-        real = tables.command_step, tables.force_limit, tables.slack_price, tables.slack_yield
+        real = tables.command_step, tables.slack_price, tables.slack_yield
         vehicle = [part.ravel() for part in (tables.input_steps, tables.A, tables.B, tables.E)]
         self._step = _ecu_step.bind(  # kernel/ecu.c says what they hold
             np.array([*sizes, highest_code(tables.bits)], dtype=np.int32),

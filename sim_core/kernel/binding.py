@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.library import DOUBLE, INT, NAME, Array, Function, Prepared, require
+from sim_core.kernel.library import DOUBLE, INT, NAME, Array, Function, Prepared, numbers_of, require
 from sim_core.kernel.record import LAYOUT
 
 _MOST_FUZZY_SETS, _DISTURBANCES = 20, 3
-_PLAN, _PLANNED_AT_ONCE = 20, 2048  # numbers of `struct plan` in speed.c; steps, of which most drives have fewer
+_PLAN, _PLANNED_AT_ONCE = Array(numbers_of("plan")), 2048  # steps, of which most drives have fewer
 _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
 _LINE_OUT, _TABLE_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2))
 _ROAD = _LINE, INT, Array(LAYOUT)
@@ -27,7 +27,7 @@ _prepare_rules = Function(
     *(*_VARIABLE, *_VARIABLE, Array(ndim=2, dtype=np.intc), INT, _TABLE, INT, INT, _TABLE_OUT, INT),
 )
 _torque_share = Function("torque_share", Prepared, DOUBLE, DOUBLE, result=DOUBLE)
-_plan_speed = Function("plan_speed", Prepared, Array(_PLAN), Array(3, written=True), _TABLE_OUT, INT, result=INT)
+_plan_speed = Function("plan_speed", Prepared, _PLAN, Array(3, written=True), _TABLE_OUT, INT, result=INT)
 _roughness = Function("roughness", _LINE_OUT, INT, DOUBLE, DOUBLE, DOUBLE, result=DOUBLE)
 _road_heights = Function("road_heights", *_ROAD, Array(), INT, Array(written=True))
 _within_steps = Function("within_steps", *_ROAD, _TABLE, INT, _TABLE_OUT)

@@ -624,6 +624,10 @@ static void advance(struct car *me, int step, const double *now, const double *c
     }
 }
 
+RIDELAB_NUMBERS_OF(vehicle)
+RIDELAB_NUMBERS_OF(estimator)
+RIDELAB_NUMBERS_OF(linear_step)
+
 int ridelab_car_size(const struct car *me)
 {
     return me->size;

@@ -158,6 +158,12 @@ class Function:
         return Prepared(memory, values)
 
 
+def numbers_of(struct: str) -> int:
+    """Return how many numbers a struct of C has, of which Python hands over an array."""
+    count: int = Function(f"{struct}_numbers", result=INT)()
+    return count
+
+
 def require(agreed: bool, what: str) -> None:
     """Refuse arrays that do not fit each other before C gets them.
 

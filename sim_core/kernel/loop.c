@@ -129,6 +129,8 @@ void ridelab_prepare_law_design(struct law_design *me, int rows, int horizon, co
     *me = (struct law_design){rows, horizon, INPUTS + DISTURBANCES * horizon, gain, limits, scale, screens};
 }
 
+RIDELAB_NUMBERS_OF(law_numbers)
+
 void ridelab_prepare_run_inputs(struct run_inputs *me, const struct law_numbers *numbers, const double *preview,
                                 const double *sizes, double *inputs)
 {

@@ -27,6 +27,13 @@ static inline double dot(const double *a, const double *b, int count)
     return total(sum);
 }
 
+/* A function that says how many numbers a struct has of which Python makes the array, so that Python states none. */
+#define RIDELAB_NUMBERS_OF(name)                            \
+    int ridelab_##name##_numbers(void)                      \
+    {                                                       \
+        return (int)(sizeof(struct name) / sizeof(double)); \
+    }
+
 /* Bytes that are enough for a law or a car of any kind. */
 enum { RIDELAB_PREPARED = 2048 };
 

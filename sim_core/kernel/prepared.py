@@ -10,14 +10,15 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.library import DOUBLE, INT, Array, Function, Optional, Prepared, require
+from sim_core.kernel.library import DOUBLE, INT, Array, Function, Optional, Prepared, numbers_of, require
 from sim_core.kernel.qp import Qp
 from sim_core.kernel.record import LAYOUT, SIGNALS, Recorder
 
-CAR, ESTIMATOR = 119, 112  # numbers of `struct vehicle` and `struct estimator` of car.c
-_LAW_NUMBERS, _SIZES = 7, 4  # of `struct law_numbers` in loop.h; magnitudes of what is previewed
+CAR, ESTIMATOR = numbers_of("vehicle"), numbers_of("estimator")
+_LAW_NUMBERS, _SIZES = numbers_of("law_numbers"), 4  # the latter are magnitudes of what is previewed
 _GROUP = 8  # rows of limits that loop.h looks at together
 CAUSES, NUMBERS, KEPT_STEPS = 20, 10, 16  # of `struct linear_step` in car.c, and how many are kept
+_LINEAR_STEP = numbers_of("linear_step")
 _STATES, _LAGGING, _FORCES, _LAW_INPUTS, _DISTURBANCES, _MEASURED = 8, 10, 2, 10, 3, 4
 _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
 _LINE_OUT, _TABLE_OUT, _LINES_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2, 3))
@@ -203,7 +204,7 @@ class DrivenCar:
         require(states in (_STATES, _LAGGING), "A state of 8 or 10 numbers")
         require(min(steps, fine, substeps) > 0 and fine_step > 0, "A step or more")
         require(height.shape == (2, all_fine + 1) and len(braking) == all_fine, "Road and braking in every fine step")
-        effects_by_step = np.zeros((1 if linear else KEPT_STEPS, 2 + CAUSES * NUMBERS))
+        effects_by_step = np.zeros((1 if linear else KEPT_STEPS, _LINEAR_STEP))
         if effects is not None:
             require(effects.shape == (CAUSES, NUMBERS), "A linear step")
             effects_by_step[0, 1], effects_by_step[0, 2:] = fine_step, effects.ravel()

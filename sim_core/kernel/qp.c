@@ -42,6 +42,8 @@ struct qp_run {
     ridelab_dual *dual;
 };
 
+RIDELAB_NUMBERS_OF(qp_counts)
+
 int ridelab_dual_bytes(void)
 {
     return (int)sizeof(ridelab_dual);
@@ -74,7 +76,7 @@ static void raise_to(double *worst, double violation)
         *worst = violation;
 }
 
-/* Largest violation of the conditions at y with its multipliers; each as `Qp.residual` says. */
+/* Largest violation of the conditions at y with its multipliers; in the units that `QpMemory.residual` of qp.py states. */
 double ridelab_residual(const struct qp *qp, struct qp_run *me)
 {
     int n = qp->moves + AXLES, rows = AXLES * qp->travels;

@@ -6,11 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.library import DOUBLE, INT, Array, Function, Prepared, require
+from sim_core.kernel.library import DOUBLE, INT, Array, Function, Prepared, numbers_of, require
 
 _FORCES, _AXLES = 2, 2
 _MOST_MOVES = 200  # that C has memory for
 _LINE, _TABLE, _LINE_OUT = Array(ndim=1), Array(ndim=2), Array(ndim=1, written=True)
+_COUNTS = Array(numbers_of("qp_counts"), written=True)
 _DUAL_BYTES: int = Function("dual_bytes", result=INT)()
 _prepare_qp = Function(
     "prepare_qp",
@@ -18,7 +19,7 @@ _prepare_qp = Function(
     *(DOUBLE, DOUBLE, INT),
 )
 _prepare_qp_run = Function(
-    "prepare_qp_run", Array(4, written=True), *[_LINE_OUT] * 5, Array(_DUAL_BYTES, dtype=np.uint8, written=True)
+    "prepare_qp_run", _COUNTS, *[_LINE_OUT] * 5, Array(_DUAL_BYTES, dtype=np.uint8, written=True)
 )
 _pose_qp = Function("pose_qp", Prepared, Prepared, _LINE)
 _solve_qp = Function("solve_qp", Prepared, Prepared, _LINE, Array(_FORCES, written=True), result=INT)

@@ -248,6 +248,10 @@ void ridelab_record(struct recorder *me, int step)
     add_weighted(me, samples < fine ? samples : fine);
 }
 
+RIDELAB_NUMBERS_OF(record_numbers)
+RIDELAB_NUMBERS_OF(found)
+RIDELAB_NUMBERS_OF(weighting)
+
 /* The arguments as the struct has them. */
 void ridelab_prepare_recorder(struct recorder *me, const struct record_numbers *numbers, const double *ends,
                               const double *rise, double *integrals, double *peaks, struct found *found,

@@ -2,8 +2,8 @@
 #ifndef RIDELAB_RECORD_H
 #define RIDELAB_RECORD_H
 
-/* A sample's numbers, two beside each other (sim_core/vehicle/model.py, RECORDED): the deflections' speeds, both
-   accelerations of the body, the tyre loads, the deflections, the forces. The last eight have a mean square and a peak. */
+/* A sample's numbers, two beside each other: the deflections' speeds, both accelerations of the body, the
+   tyre loads, the deflections, the forces. The last eight have a mean square and a peak. */
 enum { SPEED = 0, ACCELERATION = 2, LOAD = 4, TRAVEL_SIGNAL = 6, FORCE_SIGNAL = 8, SIGNALS = 10, METRICS = 8 };
 
 struct recorder;

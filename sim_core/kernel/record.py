@@ -6,12 +6,11 @@ from math import isfinite
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.library import INT, Array, Function, Prepared, require
+from sim_core.kernel.library import INT, Array, Function, Prepared, numbers_of, require
 
-LAYOUT = 9  # numbers of `struct layout` in road.h
-SIGNALS = 10  # numbers of a sample, as record.h has them
-WEIGHTING = 24  # numbers of `struct weighting` in record.c
-_METRICS, _RECORD, _FOUND = 8, 12, 16  # signals with a metric; numbers of `struct record_numbers` and `struct found`
+LAYOUT, WEIGHTING = numbers_of("layout"), numbers_of("weighting")
+SIGNALS, _METRICS = 10, 8  # numbers of a sample, as record.h has them; those with a metric
+_RECORD, _FOUND = numbers_of("record_numbers"), numbers_of("found")
 _LINE, _TABLE, _TABLE_OUT = Array(ndim=1), Array(ndim=2), Array(ndim=2, written=True)
 _prepare_recorder = Function(
     "prepare_recorder",

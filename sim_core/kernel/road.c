@@ -1,14 +1,18 @@
-/* The road's height, its velocities under the axles, and tyre loads where its slope changes (sim_core/road/profile.py). */
+/* The road: its roughness, its bumps, its height, and how far it leaves a straight line within a fine step
+   (sim_core/road/profile.py). */
 
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
 
+#include "numbers.h"
 #include "road.h"
 
 enum { PARTS = 4 }; /* of a fine step on a bump */
 
 static const double PI = 3.14159265358979323846;
+
+RIDELAB_NUMBERS_OF(layout)
 
 /* The number of a shape by its name in a scenario; -1 for none. */
 int ridelab_shape_number(const char *name)

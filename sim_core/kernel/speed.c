@@ -182,6 +182,8 @@ static double demanded(const struct plan *me, const struct rules *rules, double 
     return share * me->most_torque * me->pressure_per_torque;
 }
 
+RIDELAB_NUMBERS_OF(plan)
+
 /* Position [m], speed [m/s], line pressure [Pa] and deceleration by the brakes [m/s^2] at the beginnings of steps, at most so
    many; how many there are. `now` has the first three, then those after the last step; the position is infinite once the
    plan has ended. */

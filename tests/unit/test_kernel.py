@@ -38,7 +38,7 @@ DECLARATION = re.compile(r"^(void|int|double) ?ridelab_(\w+)\(([^{;]*)\)\n?\s*\{
 
 
 def test_every_function_is_called_as_c_declares_it() -> None:
-    """Numbers are of the type there, and an array may be read only where C says `const`."""
+    """Numbers are of the type there, as many as a struct has, and an array may be read only where C says `const`."""
     declared = {
         f"ridelab_{name}": (result, " ".join(parameters.split()).split(", "))
         for source in build.SOURCES
@@ -59,6 +59,9 @@ def test_every_function_is_called_as_c_declares_it() -> None:
         for kind, parameter in zip(function._arguments, parameters, strict=True):
             is_const, number = re.match(r"(const )?((?:unsigned )?\w+)", parameter).groups()  # type: ignore[union-attr]
             if isinstance(kind, library.Array):
+                if kind._shape and number == "struct":
+                    (struct,) = re.findall(r"struct (\w+)", parameter)
+                    assert kind._shape == (library.numbers_of(struct),), f"{c.__name__}: {parameter}"
                 assert (kind._flags & library._WRITEABLE == 0) == bool(is_const), f"{c.__name__}: {parameter}"
                 assert kind._dtype == DTYPES.get(number, kind._dtype), f"{c.__name__}: {parameter}"
             else:

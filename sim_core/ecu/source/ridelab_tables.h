@@ -27,7 +27,6 @@ typedef struct {
     int32_t iterations; /* the solver stops after so many */
     int32_t highest;    /* greatest code of a command */
     ridelab_real command_step; /* what one code of a command stands for [kN] */
-    ridelab_real force_limit;  /* [kN] */
     ridelab_real slack_price;  /* of a deflection beyond its limit [1/cm] */
     ridelab_real slack_yield;  /* inverse of its quadratic price [cm^2] */
     const ridelab_real *input_steps;              /* what one code stands for: states, then previewed (11) */

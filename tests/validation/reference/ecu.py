@@ -43,8 +43,7 @@ class ModelEcu(Ecu):
             preview = preview[:, 1:]
         rows, iterations, finished, slack = self.optimum(frame.stage, state, preview)
         limited = iterations > 0 or not finished
-        force = np.clip(rows[:FORCES], -calibration.force_limit, calibration.force_limit)
-        highest = highest_code(calibration.bits)
+        force, highest = rows[:FORCES], highest_code(calibration.bits)
         codes = np.clip(np.trunc(force / calibration.command_step + np.copysign(0.5, force)), -highest, highest)
         self._previous = codes * calibration.command_step
         commands = (int(codes[0]), int(codes[1]))

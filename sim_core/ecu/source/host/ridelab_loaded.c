@@ -19,9 +19,9 @@ static int taken(void *place, size_t size, size_t count)
 static int take_sizes(uint32_t *fingerprint)
 {
     int32_t whole[6];
-    float real[4];
+    float real[3];
     if (!taken(fingerprint, sizeof *fingerprint, 1) || !taken(whole, sizeof whole[0], 6)
-        || !taken(real, sizeof real[0], 4)) {
+        || !taken(real, sizeof real[0], 3)) {
         return 0;
     }
     tables.intervals = whole[0];
@@ -31,9 +31,8 @@ static int take_sizes(uint32_t *fingerprint)
     tables.iterations = whole[4];
     tables.highest = whole[5];
     tables.command_step = real[0];
-    tables.force_limit = real[1];
-    tables.slack_price = real[2];
-    tables.slack_yield = real[3];
+    tables.slack_price = real[1];
+    tables.slack_yield = real[2];
     return tables.intervals >= 1 && tables.previewed >= tables.intervals && tables.previewed <= RIDELAB_MOST_PREVIEWED
            && tables.rows >= RIDELAB_FORCES && tables.rows <= RIDELAB_MOST_ROWS && tables.iterations >= 0;
 }
