@@ -6,7 +6,7 @@ does.
 """
 
 from collections.abc import Mapping, Sequence
-from math import isnan, sqrt
+from math import isnan, nan, sqrt
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from sim_core.scenario.parts import KMH
 from sim_core.speed.profile import TARGET_BAND, SpeedProfile
 
 _AIRBORNE = "airborne_ms", "front_airborne_ms", "rear_airborne_ms"
+_NOTHING = {"rms": nan, "peak": nan}
 _LINES = sum(signal.endswith("acceleration") for signal in METRIC_SIGNALS)  # straight between samples
 
 
@@ -56,7 +57,7 @@ def evaluate(run: Run, windows: Windows, recorder: Recorder, recording: Recordin
             **dict(zip(_AIRBORNE, (1000 * fine_step * time for time in recorder.airborne), strict=True)),
             "stop_contact_ms": 1000 * fine_step * recorder.on_stops,
             "target_reached": _target_reached(scenario, arrival) if planned else None,
-            "bump_complete": scenario.bump_left <= scenario.road.length,
+            "bump_complete": scenario.bump_left <= scenario.road.length if scenario.road.has_bump else None,
             "travel_exceeded_mm": max(0.0, travel - scenario.mpc.deflection_limit) * 1000,
             "limited_steps": trajectory.limited,
             "qp_solves": report.solves,
@@ -83,13 +84,13 @@ def evaluate(run: Run, windows: Windows, recorder: Recorder, recording: Recordin
 
 
 def _by_window(recorder: Recorder, ends: FloatArray) -> dict[str, dict[str, dict[str, float]]]:
-    """RMS and peak of METRIC_SIGNALS in WINDOWS."""
+    """Return RMS and peak of METRIC_SIGNALS in WINDOWS; NaN in one that is empty, as where there is no bump."""
     squares, peaks, times = recorder.integrals.tolist(), recorder.peaks.tolist(), (ends[:, 1] - ends[:, 0]).tolist()
     squares[-1] = [sum(each) for each in zip(*squares, strict=True)]  # the whole, not what follows the bump
     peaks[-1], times[-1] = [max(each) for each in zip(*peaks, strict=True)], sum(times)
     return {
         window: {
-            signal: {"rms": sqrt(square / time), "peak": square if isnan(square) else peak}
+            signal: {"rms": sqrt(square / time), "peak": square if isnan(square) else peak} if time else _NOTHING
             for signal, square, peak in zip(METRIC_SIGNALS, *of_section, strict=True)
         }
         for window, time, *of_section in zip(WINDOWS, times, squares, peaks, strict=True)

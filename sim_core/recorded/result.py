@@ -177,16 +177,19 @@ def _evaluated(scenario: Scenario, signals: Mapping[str, FloatArray], strategy: 
         begin, finish = np.interp([first, last], position, time).tolist()
         return (begin, finish) if finish > begin else None
 
-    ends = dict(zip(WINDOWS, ((0.0, road.bump.start), (road.bump.start, bump_end), (0.0, road.length)), strict=True))
+    ends = dict(
+        zip(WINDOWS, ((0.0, scenario.bump_start), (scenario.bump_start, bump_end), (0.0, road.length)), strict=True)
+    )
     spans = {name: times(*each) for name, each in ends.items()}
     metrics = window_metrics(signals, spans)
     static, whole = scenario.real_vehicle.static_loads, spans["whole"]
     travel = max(metrics["whole"][key]["peak"] for key in ("front_deflection", "rear_deflection"))
-    arrival = _speed_at(road.bump.start, signals) if timed else nan
+    arrival = _speed_at(road.bump.start, signals) if timed and road.has_bump else nan
     events: dict[str, float | bool | None] = dict.fromkeys(EVENTS, None)
     events |= airborne_ms(signals, whole, static)
     events["stop_contact_ms"] = stop_contact_ms(signals, whole, scenario.real_vehicle.bump_stop_clearance)
-    events["bump_complete"] = spans["bump"] is not None and scenario.bump_left <= road.length
+    if road.has_bump:
+        events["bump_complete"] = spans["bump"] is not None and scenario.bump_left <= road.length
     events["travel_exceeded_mm"] = max(0.0, travel - scenario.mpc.deflection_limit) * 1000 if travel == travel else None
     return StrategyResult(
         strategy=strategy,
@@ -202,7 +205,7 @@ def _evaluated(scenario: Scenario, signals: Mapping[str, FloatArray], strategy: 
             "target_speed": None,
             "target_band": None,
         },
-        stages=_stages([0.0, road.bump.start, bump_end, road.length], position, time),
+        stages=_stages([0.0, scenario.bump_start, bump_end, road.length], position, time),
         travel_time=whole[1] - whole[0] if whole and timed else nan,
         arrival_speed_kmh=arrival / KMH,
         series=Series({key: values[on_road] for key, values in signals.items()}, no_columns),

@@ -121,7 +121,7 @@ def road(
     """Send a measured road, or show one: what was done to the file, its length, the bumps in it.
 
     In the scenario of --out the car brakes for the largest bump that was found, and none is added. Where none was
-    found, it brakes for a place 100 m on, or at the end of a shorter road.
+    found, there is none to brake for: its place is beyond the road's end.
     """
     ridelab = services.at()
     profile = _measured_road(which, ridelab, left, right)
@@ -170,7 +170,8 @@ def _indices(profile: Mapping[str, Any]) -> Iterator[str]:
 
 def _scenario(profile: Mapping[str, Any]) -> dict[str, Any]:
     length = profile["length"]
-    bump = next(iter(profile["bumps"]), {"start": min(100.0, length - 4.0), "width": 4.0})
-    start = round(min(max(1.0, bump["start"]), length - _NARROWEST), 2)
-    width = min(bump["width"], round(length - start, 2), _WIDEST)
-    return {"road": {"profile": profile["id"], "length": length, "bump": {"height": 0, "start": start, "width": width}}}
+    place: dict[str, float] = {"start": length}
+    for bump in profile["bumps"][:1]:
+        start = round(min(max(1.0, bump["start"]), length - _NARROWEST), 2)
+        place = {"start": start, "width": min(bump["width"], round(length - start, 2), _WIDEST)}
+    return {"road": {"profile": profile["id"], "length": length, "bump": {"height": 0, **place}}}
