@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 
 from backend.http.openapi import EXAMPLES
-from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.comparison.vehicle_cautions import vehicle_cautions
+from sim_core.scenario import SCHEMA_VERSION, Scenario, Vehicle
 from sim_core.scenario.vehicles import VEHICLES
 from tests.client.cli import Cli
 from tests.client.conftest import RUN, Prepared
@@ -25,6 +26,18 @@ def test_a_vehicle_file_goes_round(cli: Cli, tmp_path: Path) -> None:
     (tmp_path / "sheet.json").write_text(json.dumps(EXAMPLES["DataSheet"]))
     cli("vehicle", "--sheet", tmp_path / "sheet.json", "--out", own)
     assert json.loads(own.read_text())["data_sheet"] == EXAMPLES["DataSheet"]
+
+
+@pytest.mark.parametrize("mass", [2400, 1270])
+def test_a_car_that_is_hardly_one_is_cautioned(cli: Cli, tmp_path: Path, mass: float) -> None:
+    """The paper's own sag stands beside its vehicle, and not under each run of its scenario."""
+    file = tmp_path / "car.json"
+    file.write_text(json.dumps({"vehicle": {"body_mass": mass}}))
+    said = [each.text for each in vehicle_cautions(Vehicle(body_mass=mass))]
+    assert said
+    assert all(f"Caution: {text}\n" in cli("vehicle", file) for text in said)
+    run = cli("run", "--set", f"vehicle={file}", "-s", "passive")
+    assert all((f"Caution: {text}\n" in run) == (mass == 2400) for text in said)
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ import typer
 from ridelab.cli import options
 from ridelab.cli.fields import VEHICLE, vehicle_of
 from ridelab.cli.lists import vehicles
-from ridelab.cli.reporting import InputError, check_out, deliver, print_json, show_table, with_unit
+from ridelab.cli.reporting import InputError, check_out, deliver, print_json, show_cautions, show_table, with_unit
 from ridelab.cli.service import Services
 from ridelab.cli.targets import document
 from ridelab.client import Ridelab
@@ -56,7 +56,9 @@ def vehicle(
         print_json(content)
     else:
         _show(content, services.names.fields)
-        _show_characteristics(_characteristics(content, services))
+        facts = _facts(content, services)
+        _show_characteristics(facts["characteristics"])
+        show_cautions(facts)
 
 
 def _named(which: str, services: Services) -> Mapping[str, Any]:
@@ -71,10 +73,11 @@ def _of_sheet(sheet: Path, services: Services) -> Mapping[str, Any]:
     return {VEHICLE: services.at().half_car(data_sheet), "derived": ["From the data sheet"], "data_sheet": data_sheet}
 
 
-def _characteristics(content: Mapping[str, Any], services: Services) -> Mapping[str, Any]:
-    """Those of a known vehicle come with it; a run says those of another."""
-    characteristics: Mapping[str, Any] | None = content.get("characteristics")
-    return characteristics or services.at().run({VEHICLE: content[VEHICLE]}, ["passive"]).answer["characteristics"]
+def _facts(content: Mapping[str, Any], services: Services) -> Mapping[str, Any]:
+    """Return an answer with characteristics and cautions: that of a known vehicle, or a run of another."""
+    if "characteristics" in content:
+        return content
+    return services.at().run({VEHICLE: content[VEHICLE]}, ["passive"]).answer
 
 
 def _show_characteristics(of: Mapping[str, Any]) -> None:
