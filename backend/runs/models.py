@@ -9,7 +9,6 @@ from backend.models import (
     Answer,
     CachedFailure,
     CachedResult,
-    CautionAnswer,
     CharacteristicsAnswer,
     RequestModel,
     RoadCount,
@@ -58,7 +57,6 @@ class RunBase(Answer):
     core_version: str
     scenario: Scenario
     characteristics: CharacteristicsAnswer
-    cautions: list[CautionAnswer]
     comparison: ComparisonAnswer
 
 

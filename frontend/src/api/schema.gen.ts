@@ -653,7 +653,6 @@ export interface components {
         };
         readonly CreatedRoadsRun: {
             readonly baseline: string;
-            readonly cautions: readonly components["schemas"]["CautionAnswer"][];
             readonly changes: {
                 readonly [key: string]: components["schemas"]["StrategyChanges"];
             };
@@ -669,7 +668,6 @@ export interface components {
             };
         };
         readonly CreatedRun: {
-            readonly cautions: readonly components["schemas"]["CautionAnswer"][];
             readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
             readonly comparison: components["schemas"]["ComparisonAnswer"];
             readonly core_version: string;
@@ -844,7 +842,6 @@ export interface components {
             readonly trials: number;
         };
         readonly HalfCarAnswer: {
-            readonly cautions: readonly components["schemas"]["CautionAnswer"][];
             readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
             readonly vehicle: JsonObject;
         };
@@ -1025,7 +1022,6 @@ export interface components {
             readonly travel_time: number | null;
         };
         readonly LiveRun: {
-            readonly cautions: readonly components["schemas"]["CautionAnswer"][];
             readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
             readonly comparison: components["schemas"]["ComparisonAnswer"];
             readonly core_version: string;
@@ -1326,7 +1322,6 @@ export interface components {
         };
         readonly RoadsRun: {
             readonly baseline: string;
-            readonly cautions: readonly components["schemas"]["CautionAnswer"][];
             readonly changes: {
                 readonly [key: string]: components["schemas"]["StrategyChanges"];
             };
@@ -1353,7 +1348,6 @@ export interface components {
             readonly strategies: readonly string[];
         };
         readonly Run: {
-            readonly cautions: readonly components["schemas"]["CautionAnswer"][];
             readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
             readonly comparison: components["schemas"]["ComparisonAnswer"];
             readonly core_version: string;
@@ -1765,7 +1759,6 @@ export interface components {
             readonly why: string;
         };
         readonly VehicleAnswer: {
-            readonly cautions: readonly components["schemas"]["CautionAnswer"][];
             readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
             readonly derived: readonly string[];
             readonly description: string;
