@@ -12,7 +12,7 @@ from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Road, Scenario
 from sim_core.speed.profile import make_speed_profile
 from sim_core.speed.stages import segments, spans
-from sim_core.strategies import controller_for, resolve_speed_plan
+from sim_core.strategies import controller_for, speed_plan_on
 
 _ANY_ROAD = Road(length=30, bump=Bump(start=20))
 
@@ -68,7 +68,7 @@ def prepare(scenario: Scenario, strategy: str | type[Controller] | Controller) -
         )
     controller = controller_for(strategy, scenario)
     preview, preview_steps = requested_preview(controller)
-    plan = resolve_speed_plan(type(controller), scenario.speed.policy)
+    plan = speed_plan_on(type(controller), scenario)
     speed_profile = make_speed_profile(scenario, plan)
     steps, stages = step_sizes(scenario, controller, plan), spans(scenario, plan, speed_profile)
     excitation = excite(scenario.road, scenario.rear_axle_offset, speed_profile, steps.control, steps.fine)

@@ -7,8 +7,8 @@ from backend.http.routing import ReadingRoute
 from backend.json_types import JsonObject
 from backend.library import answers
 from backend.library.models import Catalogue, HalfCarAnswer, PresetAnswer, ProblemAnswer, StrategyAnswer, VehicleAnswer
-from backend.models import CharacteristicsAnswer, Figures
-from sim_core.scenario import characteristics
+from backend.models import Figures
+from backend.vehicle_facts import vehicle_facts
 from sim_core.scenario.data_sheet import DataSheet
 
 library = router("schema", route_class=ReadingRoute)
@@ -65,4 +65,4 @@ async def get_problems() -> Response:
 async def make_half_car(body: DataSheet) -> HalfCarAnswer:
     """The half-car of a whole car's data sheet: masses, axle loads, natural frequencies, damping ratios."""
     car = body.half_car()
-    return HalfCarAnswer(vehicle=car, characteristics=CharacteristicsAnswer.model_validate(characteristics(car)))
+    return HalfCarAnswer(vehicle=car, **vehicle_facts(car))

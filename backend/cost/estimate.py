@@ -8,15 +8,15 @@ from collections.abc import Iterable, Mapping
 from math import atan, exp, log, sqrt
 
 from backend.cost.binding_limits import LimitShares, expected_limits
-from sim_core import STRATEGIES, Actuator, Controller, DampingController, EcuController, PredictiveController, Scenario
+from sim_core import Actuator, Controller, DampingController, EcuController, PredictiveController, Scenario
 from sim_core.control.qp import osqp_effort
 from sim_core.errors import TooExpensiveError
 from sim_core.loop.excitation import StepSizes, longest_fine_step, step_sizes
 from sim_core.loop.run import run_dampers
-from sim_core.scenario.recorded import recording_id
+from sim_core.scenario.recorded import REFERENCES, recording_id
 from sim_core.speed.brake import BrakeChain
 from sim_core.speed.profile import SPEED_CONTROL_PERIOD, TARGET_BAND, make_speed_profile
-from sim_core.strategies import resolve_speed_plan, strategy_named
+from sim_core.strategies import speed_plan_on, strategy_named
 from sim_core.vehicle.make import is_linear
 from sim_core.vehicle.nonlinear import substeps
 
@@ -66,7 +66,7 @@ SECONDS: Mapping[str, float] = {
 def duration(scenario: Scenario, name: str) -> float:
     """Longest time the strategy can take from x = 0 to the road's end [s]; exact where the brakes' lag is long."""
     speed, road = scenario.speed, scenario.road
-    if resolve_speed_plan(strategy_named(name), speed.policy) == "constant":
+    if speed_plan_on(strategy_named(name), scenario) == "constant":
         return road.length / speed.initial
     floor = min(speed.initial, speed.target) - TARGET_BAND
     # The brake pressure that remains when braking ends reduces the speed by as much again.
@@ -84,7 +84,7 @@ def estimate(scenario: Scenario, name: str) -> float:
         UnknownNameError: No such strategy.
     """
     if recording_id(name) is not None:
-        return RECORDED + sum(estimate(scenario, each) for each in STRATEGIES)
+        return RECORDED + sum(estimate(scenario, each) for each in REFERENCES)
     strategy = strategy_named(name)
     time = expected_time(scenario, strategy)
     counts = work(scenario, strategy, time, expected_limits(scenario, strategy, time))
@@ -109,9 +109,7 @@ def check_affordable(scenario: Scenario, name: str) -> float:
         TooExpensiveError: There are too many.
     """
     strategy = strategy_named(name)
-    time = make_speed_profile(scenario, resolve_speed_plan(strategy, scenario.speed.policy)).time_at(
-        scenario.road.length
-    )
+    time = make_speed_profile(scenario, speed_plan_on(strategy, scenario)).time_at(scenario.road.length)
     counts = work(scenario, strategy, time, LimitShares(limited=1.0))
     operations = sum(each * counts.get(unit, 0.0) for unit, each in OPERATIONS.items())
     size = memory(scenario, strategy, time)
@@ -157,13 +155,13 @@ def expected_time(scenario: Scenario, strategy: type[Controller]) -> float:
     """
     speed, road, brake = scenario.speed, scenario.road, scenario.brake
     initial = speed.initial
-    if resolve_speed_plan(strategy, speed.policy) == "constant":
+    if speed_plan_on(strategy, scenario) == "constant":
         return road.length / initial
     chain, target = BrakeChain(brake, scenario.vehicle.total_mass), min(initial, speed.target)
-    distance, left = road.bump.start - scenario.braking_start, min(scenario.bump_left, road.length)
+    distance, left = scenario.bump_start - scenario.braking_start, min(scenario.bump_left, road.length)
     braked = max(0.0, distance - brake.pressure_lag * initial)
     _, arrival = _slowing(chain, initial, target, braked, brake.maximum_deceleration)
-    coasting, last = _slowing(chain, arrival, target - TARGET_BAND, left - road.bump.start)
+    coasting, last = _slowing(chain, arrival, target - TARGET_BAND, left - scenario.bump_start)
     before = scenario.braking_start / initial + distance / ((initial + arrival) / 2)
     return before + coasting + (road.length - left) / last
 
@@ -199,7 +197,7 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, expected: 
         actuator = scenario.actuator if strategy.actuated else Actuator()
         short = substeps(vehicle, actuator, dampers, _fine_step(scenario, strategy))
         counts["nonlinear steps"] = counts["fine steps"] * short
-    if resolve_speed_plan(strategy, scenario.speed.policy) == "planned":
+    if speed_plan_on(strategy, scenario) == "planned":
         counts["plan"] = 1.0
     if not strategy.actuated:
         return counts
@@ -236,17 +234,17 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, expected: 
 
 
 def _steps(scenario: Scenario, strategy: type[Controller]) -> StepSizes:
-    return step_sizes(scenario, strategy, resolve_speed_plan(strategy, scenario.speed.policy))
+    return step_sizes(scenario, strategy, speed_plan_on(strategy, scenario))
 
 
 def _fine_step(scenario: Scenario, strategy: type[Controller]) -> float:
-    return longest_fine_step(scenario, resolve_speed_plan(strategy, scenario.speed.policy), actuated=strategy.actuated)
+    return longest_fine_step(scenario, speed_plan_on(strategy, scenario), actuated=strategy.actuated)
 
 
 def _fields(scenario: Scenario, strategy: type[Controller]) -> tuple[str, ...]:
     """Fields that make a run's steps fewer or cheaper."""
     fields: tuple[str, ...] = ("road.length", "speed.initial_speed_kmh")
-    if resolve_speed_plan(strategy, scenario.speed.policy) == "planned":
+    if speed_plan_on(strategy, scenario) == "planned":
         fields += ("speed.target_speed_kmh",)
     if strategy.actuated:
         fields += ("mpc.sample_time",)

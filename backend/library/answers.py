@@ -19,11 +19,11 @@ from backend.library.models import (
     StrategyAnswer,
     VehicleAnswer,
 )
-from backend.models import CharacteristicsAnswer
 from backend.runs import figures
+from backend.vehicle_facts import vehicle_facts
 from sim_core import catalogue as core
 from sim_core.comparison.variation import one_road_resolution
-from sim_core.scenario import SCHEMA_VERSION, Scenario, characteristics, dotted
+from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
 from sim_core.scenario.presets import PRESETS
 from sim_core.scenario.vehicles import VEHICLES, VehiclePreset
 from sim_core.strategies import reads
@@ -62,7 +62,7 @@ def vehicles() -> bytes:
 
 def _vehicle(preset: VehiclePreset) -> VehicleAnswer:
     own = {name: getattr(preset, name) for name in ("id", "label", "description", "vehicle", "sources", "derived")}
-    return VehicleAnswer(**own, characteristics=CharacteristicsAnswer.model_validate(characteristics(preset.vehicle)))
+    return VehicleAnswer(**own, **vehicle_facts(preset.vehicle))
 
 
 def strategies() -> bytes:

@@ -3,7 +3,7 @@
 from pydantic import Field
 
 from backend.json_types import JsonObject
-from backend.models import Answer, CharacteristicsAnswer, Source
+from backend.models import Answer, CautionAnswer, CharacteristicsAnswer, Source
 from sim_core.scenario import Scenario, Vehicle
 
 
@@ -99,6 +99,7 @@ class VehicleAnswer(Answer):
     description: str
     vehicle: Vehicle
     characteristics: CharacteristicsAnswer
+    cautions: list[CautionAnswer]
     sources: list[str] = Field(description="Where its numbers are from")
     derived: list[str] = Field(description="How those follow that no source has")
 
@@ -108,3 +109,4 @@ class HalfCarAnswer(Answer):
 
     vehicle: Vehicle
     characteristics: CharacteristicsAnswer
+    cautions: list[CautionAnswer]

@@ -5,7 +5,7 @@ Over 50 roads they take 0.2 s: they are made in threads, beside the event loop.
 """
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import asdict, replace
+from dataclasses import replace
 from math import isfinite
 
 import orjson
@@ -17,11 +17,12 @@ from backend.outcome import Outcome
 from backend.requirements import Driven, Requirement, judge
 from backend.runs import series
 from backend.store import StoredRun
+from backend.vehicle_facts import vehicle_facts
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import PAPER_METRICS
 from sim_core.comparison.compare import Comparison, compare_summaries, default_baseline
 from sim_core.comparison.intervals import Interval
-from sim_core.scenario import Scenario, Vehicle, characteristics
+from sim_core.scenario import Scenario, Vehicle
 
 
 def run_answer(
@@ -50,7 +51,7 @@ def run_answer(
         "id": stored.id,
         "core_version": stored.core_version,
         "scenario": stored.scenario,
-        "characteristics": asdict(characteristics(Vehicle.model_validate(stored.scenario["vehicle"]))),
+        **vehicle_facts(Vehicle.model_validate(stored.scenario["vehicle"])),
     }
     if requirements:
         head["requirement_results"] = _judged(stored, requirements, judged_against or baseline)
@@ -153,7 +154,7 @@ def _live(
     head = {
         "core_version": CORE_VERSION,
         "scenario": scenario.model_dump(mode="json"),
-        "characteristics": asdict(characteristics(scenario.vehicle)),
+        **vehicle_facts(scenario.vehicle),
         "comparison": compare_summaries(
             {name: [outcome.summary] for name, outcome in outcomes.items() if outcome.status == "ok"},
             baseline or default_baseline(list(outcomes)),

@@ -9,6 +9,7 @@ from backend.models import (
     Answer,
     CachedFailure,
     CachedResult,
+    CautionAnswer,
     CharacteristicsAnswer,
     RequestModel,
     RoadCount,
@@ -57,6 +58,7 @@ class RunBase(Answer):
     core_version: str
     scenario: Scenario
     characteristics: CharacteristicsAnswer
+    cautions: list[CautionAnswer]
     comparison: ComparisonAnswer
 
 

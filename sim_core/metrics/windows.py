@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import ceil
+from math import ceil, nan
 
 import numpy as np
 
@@ -31,7 +31,7 @@ class Windows:
         ends: First and last place of the rough road, the bump, and what follows it (3, 2) [fine steps]; together the
             whole run.
         step_distance: The longest fine step in each section (3,) [m].
-        arrival_speed: Speed of the car as the front axle meets the bump [m/s].
+        arrival_speed: Speed of the car as the front axle meets the bump [m/s]; NaN where there is none.
     """
 
     ends: FloatArray
@@ -42,7 +42,7 @@ class Windows:
 def windows_of(run: Run) -> Windows:
     """Where a run's windows lie."""
     scenario = run.scenario
-    start, end, length = scenario.road.bump.start, scenario.bump_left, scenario.road.length
+    start, end, length = scenario.bump_start, scenario.bump_left, scenario.road.length
     return _windows(run.excitation.grid, run.speed_profile, start, min(end, length), length)
 
 
@@ -53,8 +53,9 @@ def _windows(grid: TimeGrid, speed_profile: SpeedProfile, start: float, end: flo
     bounds = [0.0, *(speed_profile.time_at(position) / h for position in (start, end, length))]
     ends = section_ends(list(pairwise(bounds)))
     distance = np.diff(grid.axles[0, grid.on_record.start :])
+    arrival = float(speed_profile.at(np.array(speed_profile.time_at(start)))[1]) if start < length else nan
     return Windows(
         ends=ends,
         step_distance=np.array([distance[int(first) : ceil(last)].max(initial=0) for first, last in ends.tolist()]),
-        arrival_speed=float(speed_profile.at(np.array(speed_profile.time_at(start)))[1]),
+        arrival_speed=arrival,
     )

@@ -251,11 +251,15 @@ class Scenario(Part):
         Where it was given no `road.length`, it has the profile's from here on.
 
         Raises:
-            RidelabError: The bump is not on a road of that length.
+            RidelabError: It is another road, or the bump is not on a road of that length.
         """
+        if measured.id != self.road.profile:
+            names = f"road {self.road.profile}" if self.road.profile else "none"
+            message = f"These are the heights of the measured road {measured.id}; the scenario names {names}"
+            raise RidelabError(message, field="road.profile")
         road = self.road.model_copy(update={"length": measured.length} if self.road.ends_with_profile else None)
         road._measured = measured
-        if road.bump.end > road.length:
+        if road.bump.height and not road.has_bump:
             lengths = f"the bump ends at {road.bump.end:g} m, the measured road at {road.length:g} m"
             raise RidelabError(f"{_BUMP_BEYOND}; {lengths}", field="road.bump.start")
         return self.model_copy(update={"road": road})
@@ -286,9 +290,14 @@ class Scenario(Part):
         return not self.road.is_smooth or self.estimation.kind != "exact" or any(noise)
 
     @property
+    def bump_start(self) -> float:
+        """Where the front axle meets the bump [m]; the road's end where there is none."""
+        return self.road.bump.start if self.road.has_bump else self.road.length
+
+    @property
     def braking_start(self) -> float:
-        """Where the front axle is when the bump is detected and braking begins [m]."""
-        return max(0.0, self.road.bump.start - self.speed.detection_distance)
+        """Where the front axle is when the bump is detected and braking begins [m]; the road's end without a bump."""
+        return max(0.0, self.bump_start - self.speed.detection_distance) if self.road.has_bump else self.road.length
 
     @property
     def rear_axle_offset(self) -> float:
@@ -298,22 +307,24 @@ class Scenario(Part):
     @property
     def bump_left(self) -> float:
         """Where the front axle is when both axles have left the bump [m]."""
-        return self.road.bump.end + self.rear_axle_offset
+        return (self.road.bump.end if self.road.has_bump else self.road.length) + self.rear_axle_offset
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         if self.mpc.control_horizon > self.mpc.prediction_horizon:
             raise at("mpc.control_horizon", "Control horizon must not exceed the prediction horizon")
+        if self.road.bump.height:
+            self._check_bump()
+        if self.hook.max_damping is not None and self.hook.max_damping < self.hook.min_damping:
+            raise at("hook.max_damping", "The greatest damping must not be below the least")
+        return self
+
+    def _check_bump(self) -> None:
         bump = self.road.bump
-        if bump.end > self.road.length and not self.road.ends_with_profile:
-            raise at(
-                "road.bump.start",
-                _BUMP_BEYOND + (", with the spacing of all in between" if bump.count > 1 else ""),
-            )
+        if not self.road.has_bump and not self.road.ends_with_profile:
+            between = ", with the spacing of all in between" if bump.count > 1 else ""
+            raise at("road.bump.start", _BUMP_BEYOND + between)
         if bump.count > 1 and bump.spacing < bump.width:
             raise at("road.bump.spacing", "Bumps must not overlap: the spacing is at least their width")
         if bump.shape == "circular" and abs(bump.height) > bump.width / 2:
             raise at("road.bump.height", "A circular bump's height must not exceed half its width")
-        if self.hook.max_damping is not None and self.hook.max_damping < self.hook.min_damping:
-            raise at("hook.max_damping", "The greatest damping must not be below the least")
-        return self

@@ -24,7 +24,10 @@ class Bump(Part):
         "trapezoid straight ones, each a quarter of the width; kerb rises as half a cosine and stays up.",
     )
     height: Annotated[float, quantity("m", soft=(-0.15, 0.2), ge=-1, le=1, shown="cm")] = field(
-        0.1, "Height", "Crest height; 0 is no bump, negative a pothole."
+        0.1,
+        "Height",
+        "Crest height; negative is a pothole. 0 adds none: cars still slow down for its place, which may be that of a "
+        "bump in a measured profile, and metrics have a window there; a place beyond the road's end is none.",
     )
     width: Annotated[float, quantity("m", soft=(0.3, 10), ge=0.05, le=100)] = field(
         4, "Width", "Length along the road."
@@ -105,13 +108,18 @@ class Road(Part):
 
     @property
     def measured(self) -> MeasuredRoad | None:
-        """The heights of `profile`, where somebody handed them over (`Scenario.on`)."""
-        return self._measured
+        """The heights of `profile`, where somebody handed them over (`Scenario.on`); never those of another road."""
+        return self._measured if self._measured is not None and self._measured.id == self.profile else None
 
     @property
     def ends_with_profile(self) -> bool:
         """Whether its length is that of its `profile`, which `Scenario.on` sets: none was given."""
         return self.profile is not None and "length" not in self.model_fields_set
+
+    @property
+    def has_bump(self) -> bool:
+        """Check whether there is a bump, or with height 0 a place of one: beyond the road's end there is none."""
+        return self.bump.end <= self.length
 
     @property
     def is_smooth(self) -> bool:

@@ -95,7 +95,7 @@ def make_speed_profile(scenario: Scenario, plan: SpeedPlan) -> SpeedProfile:
     """How fast the scenario's road is driven, and where the car is when."""
     if plan == "constant":
         return _constant(scenario.speed.initial)
-    places = scenario.braking_start, scenario.road.bump.start, scenario.bump_left
+    places = scenario.braking_start, scenario.bump_start, scenario.bump_left
     return _planned(scenario.speed, scenario.fuzzy, scenario.brake, scenario.vehicle.total_mass, *places)
 
 

@@ -1,7 +1,7 @@
 """Driving stages (section 3.3).
 
 They follow the bump's geometry, also at height 0: cruise, brake from the detection to the bump, bump until both
-axles have left it, cruise again. A car at constant speed has no brake stage.
+axles have left it, cruise again. A car at constant speed has no brake stage; a road without a bump has cruise alone.
 """
 
 from typing import NamedTuple
@@ -22,11 +22,11 @@ class Segment(NamedTuple):
 
 def spans(scenario: Scenario, plan: SpeedPlan, profile: SpeedProfile) -> tuple[Span, ...]:
     """The stages from x = 0 to the road's end, without gaps and without empty ones."""
-    bump, end = scenario.road.bump, scenario.road.length
+    end = scenario.road.length
     edges = [("cruise", 0.0)]
     if plan == "planned":
         edges.append(("brake", scenario.braking_start))
-    edges.append(("bump", bump.start))
+    edges.append(("bump", scenario.bump_start))
     edges.append(("cruise", scenario.bump_left))
     stops = [min(position, end) for _, position in edges[1:]] + [end]
     return tuple(

@@ -122,6 +122,16 @@ def resolve_speed_plan(strategy: type[Controller], policy: str) -> SpeedPlan:
     return plans.get(policy, strategy.speed_plan)
 
 
+def speed_plan_on(strategy: type[Controller], scenario: Scenario) -> SpeedPlan:
+    """Return how a strategy is driven over the scenario's road: at constant speed where that has no bump.
+
+    Raises:
+        RidelabError: Its own plan is none.
+    """
+    plan = resolve_speed_plan(strategy, scenario.speed.policy)
+    return plan if scenario.road.has_bump else "constant"
+
+
 def reads(strategy: type[Controller], policy: str = "by_strategy") -> tuple[str, ...]:
     """Dotted names of the parts and fields of a scenario that a strategy's result depends on; on nothing else.
 

@@ -340,3 +340,20 @@ def test_a_road_of_an_older_version_has_no_indices_until_its_file_comes_again(
     assert [got[name] for name in ("iri", "iso_class", "roughness", "waviness", "spectrum")] == [None] * 5
     assert send(service, content).json() == road
     assert service.get(address).json()["iri"] == road["iri"]
+
+
+def test_a_short_road_without_a_bump_is_driven_and_has_no_metrics_of_one(service: Service) -> None:
+    road = send(service, HEAD + "".join(f"{x:.1f},{6 * np.cos(x):.2f}\n" for x in X[:601])).json()["id"]
+    scenario: dict[str, Any] = {"road": {"profile": road, "bump": {"height": 0}}}
+    run = service.run(["lv", "passive"], scenario).raise_for_status().json()
+    live = service.live(["lv"], scenario).raise_for_status().json()
+    batch = computed(service, scenario=scenario, strategies=["lv"], sweep={"grid": {"vehicle.body_mass": [600, 700]}})
+    for entry in (*run["strategies"].values(), *live["strategies"].values(), *rows_of(service, batch["id"])):
+        assert {value for signal in entry["metrics"]["bump"].values() for value in signal.values()} == {None}
+        assert entry["metrics"]["whole"]["body_acceleration"]["rms"] > 0
+        assert (entry["arrival_speed_kmh"], entry["events"]["bump_complete"]) == (None, None)
+    for histories in ("series?strategy=lv", "figures", "figures/road", "report.html"):
+        service.get(f"/api/v1/runs/{run['id']}/{histories}").raise_for_status()
+    question = {"scenario": scenario, "strategy": "passive", "field": "vehicle.body_mass", "range": [400, 800]}
+    of_bump = service.post("/api/v1/solve", json={**question, "metric": "bump.front_deflection.peak", "limit": 0.05})
+    assert (of_bump.status_code, of_bump.json()["errors"][0]["pointer"]) == (422, "/metric")

@@ -29,7 +29,7 @@ def plain(result: StrategyResult) -> dict[str, Any]:
 
 
 def test_a_run_has_every_field_of_the_contract(run: dict[str, Any], road: dict[str, Any]) -> None:
-    assert set(run) == {"id", "core_version", "scenario", "characteristics", "comparison", "strategies"}
+    assert set(run) == {"id", "core_version", "scenario", "characteristics", "cautions", "comparison", "strategies"}
     assert run["core_version"] == __version__
     assert len(run["id"]) == 22
     assert run["scenario"]["vehicle"]["body_mass"] == 1270
@@ -132,7 +132,7 @@ def test_live_answers_series_and_stores_nothing(service: Any, unseen: dict[str, 
     assert first.status_code == 200
     answer = first.json()
     LiveRun.model_validate(answer)
-    assert set(answer) == {"core_version", "scenario", "characteristics", "comparison", "strategies"}
+    assert set(answer) == {"core_version", "scenario", "characteristics", "cautions", "comparison", "strategies"}
     identifier = run_id(Scenario.model_validate(answer["scenario"]), ["lv", "passive"])
     assert service.get(f"/api/v1/runs/{identifier}").status_code == 404
     for entry in answer["strategies"].values():

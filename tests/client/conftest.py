@@ -14,6 +14,7 @@ from fastapi import FastAPI
 
 from backend.app import create_app
 from backend.settings import Settings
+from backend.vehicle_facts import vehicle_facts
 from ridelab import Ridelab
 from ridelab.cli.service import Services
 from sim_core import Scenario, simulate
@@ -97,10 +98,11 @@ def prepared(application: FastAPI, outcomes: dict[str, dict[str, Any]]) -> Prepa
     prepared = Prepared(application)
 
     def run(body: Any) -> dict[str, Any]:
-        scenario = Scenario.model_validate(body.get("scenario", {})).model_dump(mode="json")
+        sent = Scenario.model_validate(body.get("scenario", {}))
         asked = [name for name in outcomes if name in body["strategies"]]
         strategies = {name: outcomes[name] for name in asked}
-        return {"id": RUN, "core_version": CORE_VERSION, "scenario": scenario, "strategies": strategies}
+        scenario = {"scenario": sent.model_dump(mode="json"), **vehicle_facts(sent.vehicle)}
+        return {"id": RUN, "core_version": CORE_VERSION, **scenario, "strategies": strategies}
 
     prepared.answers["POST /runs"] = run
     prepared.answers[f"GET /runs/{RUN}"] = run({"scenario": SHORT, "strategies": list(outcomes)})

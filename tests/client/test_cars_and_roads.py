@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 
 from backend.http.openapi import EXAMPLES
-from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.comparison.vehicle_cautions import vehicle_cautions
+from sim_core.scenario import SCHEMA_VERSION, Scenario, Vehicle
 from sim_core.scenario.vehicles import VEHICLES
 from tests.client.cli import Cli
 from tests.client.conftest import RUN, Prepared
@@ -27,12 +28,24 @@ def test_a_vehicle_file_goes_round(cli: Cli, tmp_path: Path) -> None:
     assert json.loads(own.read_text())["data_sheet"] == EXAMPLES["DataSheet"]
 
 
+@pytest.mark.parametrize("mass", [2400, 1270])
+def test_a_car_that_is_hardly_one_is_cautioned(cli: Cli, tmp_path: Path, mass: float) -> None:
+    """The paper's own sag stands beside its vehicle, and not under each run of its scenario."""
+    file = tmp_path / "car.json"
+    file.write_text(json.dumps({"vehicle": {"body_mass": mass}}))
+    said = [each.text for each in vehicle_cautions(Vehicle(body_mass=mass))]
+    assert said
+    assert all(f"Caution: {text}\n" in cli("vehicle", file) for text in said)
+    run = cli("run", "--set", f"vehicle={file}", "-s", "passive")
+    assert all((f"Caution: {text}\n" in run) == (mass == 2400) for text in said)
+
+
 @pytest.mark.parametrize(
     ("length", "bump", "driven"),
     [
-        (50, None, {"start": 46, "width": 4}),
-        (200, None, {"start": 100, "width": 4}),
-        (5, None, {"start": 1, "width": 4}),
+        (50, None, {"start": 50}),
+        (200, None, {"start": 200}),
+        (5, None, {"start": 5}),
         (2500, {"start": 2300.004, "width": 3.1, "height": 0.08}, {"start": 2300, "width": 3.1}),
         (60, {"start": 59, "width": 3, "height": 0.08}, {"start": 59, "width": 1}),
     ],
@@ -43,7 +56,7 @@ def test_the_scenario_of_a_road_can_be_driven(
     prepared.answers[f"GET /roads/{RUN}"] = {"id": RUN, "length": length, "bumps": [bump] if bump else []}
     scenario = json.loads(cli("road", RUN, "--out", "-"))
     assert scenario == {"road": {"profile": RUN, "length": length, "bump": {"height": 0, **driven}}}
-    Scenario.model_validate(scenario)
+    assert Scenario.model_validate(scenario).road.has_bump == (bump is not None)
 
 
 def test_the_roughness_of_a_bad_road_has_one_power_of_ten(cli: Cli, prepared: Prepared) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from scipy.linalg import matrix_balance
 from scipy.signal import cont2discrete, zpk2ss
 
 from sim_core import FloatArray
@@ -59,9 +60,9 @@ def car(number: int) -> dict[str, Any]:
 
 @pytest.mark.parametrize("number", some(2, range(200)))
 def test_python_control_has_the_same_margins(number: int) -> None:
-    """Its disk margin of both loops (by SLICOT's structured singular value) and its margins of each, to 1e-4.
+    """Its disk margin of both loops (by SLICOT's structured singular value) to 1e-4 and its margins of each to 1e-3.
 
-    Its grids are refined around what they find, and reach as near to a peak or a crossing as 1e-5 of its width.
+    Its grids are refined around what they find; its splines between their points still miss some crossings by 3e-4.
     """
     stable = [loop for name in LINEAR if largest(loop := loop_of(name, **car(number)), np.ones(2)) < 1]
     assert stable
@@ -70,7 +71,7 @@ def test_python_control_has_the_same_margins(number: int) -> None:
         assert judged.disk == pytest.approx(their_disk(loop), rel=1e-4)
         for axle, one in enumerate((judged.front, judged.rear)):
             ours = [one.gain or inf, one.gain_reduction or 0, one.phase or inf, one.delay or inf]
-            assert ours == pytest.approx(their_margin(loop, axle), rel=1e-4), (number, axle)
+            assert ours == pytest.approx(their_margin(loop, axle), rel=1e-3), (number, axle)
 
 
 def frequencies(loop: SampledLoop) -> FloatArray:
@@ -78,13 +79,27 @@ def frequencies(loop: SampledLoop) -> FloatArray:
     modes = np.linalg.eigvals(loop.closed)
     around = np.abs(np.angle(modes))[:, None] + (1 - np.abs(modes))[:, None] * np.linspace(-4, 4, 81)
     everywhere = np.concatenate([np.linspace(1e-7, pi - 1e-7, 600), np.geomspace(1e-7, 3, 400), around.ravel()])
-    return np.unique(everywhere[(everywhere >= 1e-7) & (everywhere <= pi - 1e-7)]) / loop.step
+    return distinct(everywhere[(everywhere >= 1e-7) & (everywhere <= pi - 1e-7)] / loop.step)
+
+
+def distinct(frequencies: FloatArray) -> FloatArray:
+    """Return them in order, without those that python-control's splines would take for one."""
+    ordered = np.unique(frequencies)
+    return ordered[np.diff(ordered, prepend=0) > 1e-9 * ordered]
+
+
+def balanced(A: FloatArray, B: FloatArray, C: FloatArray, step: float) -> Any:
+    """Return python-control's system with states scaled for SLICOT, which loses half of its digits without."""
+    import control
+
+    scaled, scale = matrix_balance(A, permute=False)
+    return control.ss(scaled, np.linalg.solve(scale, B), C @ scale, np.zeros((len(C), B.shape[1])), step)
 
 
 def their_disk(loop: SampledLoop) -> float:
     import control
 
-    both = control.ss(loop.A + loop.C @ loop.K, loop.B, -loop.K, np.zeros((2, 2)), loop.step)
+    both = balanced(loop.A + loop.C @ loop.K, loop.B, -loop.K, loop.step)
     grid, spread = frequencies(loop), np.linspace(-1, 1, 21)
     for _ in range(4):
         disks = control.disk_margins(both, grid, returnall=True)[0]
@@ -100,13 +115,13 @@ def their_margin(loop: SampledLoop, axle: int) -> list[float]:
     import control
 
     other = np.diag([axle, 1 - axle])
-    one = control.ss(loop.A + (loop.C + loop.B @ other) @ loop.K, loop.B[:, [axle]], -loop.K[[axle]], 0, loop.step)
+    one = balanced(loop.A + (loop.C + loop.B @ other) @ loop.K, loop.B[:, [axle]], -loop.K[[axle]], loop.step)
     grid, spread = frequencies(loop), np.linspace(-1, 1, 21)
     for width in (0.01, 1e-3, 1e-4, 1e-5):
         measured = control.frd(one, grid, smooth=True)
         _, phases, _, real, crossover, _ = control.stability_margins(measured, returnall=True)
         around = np.concatenate([real, crossover])[:, None] * (1 + width * spread)
-        grid = np.union1d(grid, around[around < pi / loop.step])
+        grid = distinct(np.append(grid, around[around < pi / loop.step]))
     at_real = np.array([one(1), one(-1), *one(np.exp(1j * real * loop.step))])  # at both ends, too, the gain is real
     gains = -1 / at_real.real[(at_real.real < 0) & (np.abs(at_real.imag) < 1e-3 * np.abs(at_real.real))]
     lags = np.radians(np.mod(phases, 360))

@@ -11,6 +11,7 @@ from sim_core import Bump, RidelabError, Road, Scenario, Speed, simulate
 from sim_core.road.profile import road_profile
 from sim_core.road.survey import bumps_in, surveyed
 from sim_core.scenario.measured import SPACING, MeasuredRoad
+from sim_core.strategies import STRATEGIES
 
 
 def measured_on(road: Road, spacing: float = 0.05, length: float = 200) -> MeasuredRoad:
@@ -58,9 +59,9 @@ def test_a_measured_road_drives_as_the_road_it_was_measured_on(strategy: str) ->
     Level before its first height, where the made road has its run-in: the windows are those of the bump.
     """
     original = Scenario(road=Road(roughness=16e-6, length=150))
-    flat = Bump(height=0)
-    on_it = Scenario(road=original.road.model_copy(update={"bump": flat, "profile": "A" * 22}), speed=original.speed)
-    ours = simulate(on_it.on(measured_on(original.road)), strategy).metrics["bump"]
+    measured, flat = measured_on(original.road), Bump(height=0)
+    on_it = Scenario(road=original.road.model_copy(update={"bump": flat, "profile": measured.id}), speed=original.speed)
+    ours = simulate(on_it.on(measured), strategy).metrics["bump"]
     theirs = simulate(original, strategy).metrics["bump"]
     for signal, limit in (("front_deflection", 0.02), ("rear_deflection", 0.02), ("body_acceleration", 0.08)):
         assert ours[signal]["rms"] == pytest.approx(theirs[signal]["rms"], rel=limit), signal
@@ -129,6 +130,37 @@ def test_without_a_length_a_scenario_ends_with_its_measured_road(length: float) 
     assert scenario.on(road) == scenario
     stored = Scenario.model_validate(Scenario(road=Road(profile=road.id, length=110)).model_dump(mode="json"))
     assert stored.on(road).road.length == 110
+
+
+def test_heights_of_another_road_are_refused_and_never_driven() -> None:
+    first, second = (measured_on(Road(bump=Bump(height=0), seed=seed)) for seed in (1, 2))
+    for road, names in ((Road(profile=first.id), f"names road {first.id}"), (Road(), "names none")):
+        with pytest.raises(
+            RidelabError, match=f"heights of the measured road {second.id}; the scenario {names}"
+        ) as caught:
+            Scenario(road=road).on(second)
+        assert caught.value.field == "road.profile"
+    driven = Scenario(road=Road(profile=first.id)).on(first)
+    renamed = driven.model_copy(update={"road": driven.road.model_copy(update={"profile": second.id})})
+    with pytest.raises(RidelabError, match="not here"):
+        simulate(renamed, "passive")
+
+
+@pytest.mark.parametrize("strategy", STRATEGIES)
+@pytest.mark.parametrize("start", [58.0, 100.0])
+def test_a_bump_of_height_0_has_no_place_beyond_the_roads_end(strategy: str, start: float) -> None:
+    """On 60 m none brakes, the bump's metrics are missing, and the rough road is the whole one."""
+    scenario = Scenario(road=Road(length=60, bump=Bump(height=0, start=start)))
+    result = simulate(scenario, strategy)
+    assert [span.stage for span in result.stages] == ["cruise"]
+    assert result.travel_time == pytest.approx(60 / scenario.speed.initial)
+    assert [result.events[name] for name in ("bump_complete", "target_reached")] == [None, None]
+    values = [
+        result.arrival_speed_kmh,
+        *(each for signal in result.metrics["bump"].values() for each in signal.values()),
+    ]
+    assert np.isnan(values).all()
+    assert result.metrics["rough_road"] == result.metrics["whole"]
 
 
 def test_a_bump_behind_the_end_of_a_measured_road_is_refused_at_its_field() -> None:

@@ -15,7 +15,7 @@ import typer
 from ridelab.cli import options
 from ridelab.cli.fields import VEHICLE, vehicle_of
 from ridelab.cli.lists import vehicles
-from ridelab.cli.reporting import InputError, check_out, deliver, print_json, show_table, with_unit
+from ridelab.cli.reporting import InputError, check_out, deliver, print_json, show_cautions, show_table, with_unit
 from ridelab.cli.service import Services
 from ridelab.cli.targets import document
 from ridelab.client import Ridelab
@@ -56,7 +56,9 @@ def vehicle(
         print_json(content)
     else:
         _show(content, services.names.fields)
-        _show_characteristics(_characteristics(content, services))
+        facts = _facts(content, services)
+        _show_characteristics(facts["characteristics"])
+        show_cautions(facts)
 
 
 def _named(which: str, services: Services) -> Mapping[str, Any]:
@@ -71,10 +73,11 @@ def _of_sheet(sheet: Path, services: Services) -> Mapping[str, Any]:
     return {VEHICLE: services.at().half_car(data_sheet), "derived": ["From the data sheet"], "data_sheet": data_sheet}
 
 
-def _characteristics(content: Mapping[str, Any], services: Services) -> Mapping[str, Any]:
-    """Those of a known vehicle come with it; a run says those of another."""
-    characteristics: Mapping[str, Any] | None = content.get("characteristics")
-    return characteristics or services.at().run({VEHICLE: content[VEHICLE]}, ["passive"]).answer["characteristics"]
+def _facts(content: Mapping[str, Any], services: Services) -> Mapping[str, Any]:
+    """Return an answer with characteristics and cautions: that of a known vehicle, or a run of another."""
+    if "characteristics" in content:
+        return content
+    return services.at().run({VEHICLE: content[VEHICLE]}, ["passive"]).answer
 
 
 def _show_characteristics(of: Mapping[str, Any]) -> None:
@@ -121,7 +124,7 @@ def road(
     """Send a measured road, or show one: what was done to the file, its length, the bumps in it.
 
     In the scenario of --out the car brakes for the largest bump that was found, and none is added. Where none was
-    found, it brakes for a place 100 m on, or at the end of a shorter road.
+    found, there is none to brake for: its place is beyond the road's end.
     """
     ridelab = services.at()
     profile = _measured_road(which, ridelab, left, right)
@@ -170,7 +173,8 @@ def _indices(profile: Mapping[str, Any]) -> Iterator[str]:
 
 def _scenario(profile: Mapping[str, Any]) -> dict[str, Any]:
     length = profile["length"]
-    bump = next(iter(profile["bumps"]), {"start": min(100.0, length - 4.0), "width": 4.0})
-    start = round(min(max(1.0, bump["start"]), length - _NARROWEST), 2)
-    width = min(bump["width"], round(length - start, 2), _WIDEST)
-    return {"road": {"profile": profile["id"], "length": length, "bump": {"height": 0, "start": start, "width": width}}}
+    place: dict[str, float] = {"start": length}
+    for bump in profile["bumps"][:1]:
+        start = round(min(max(1.0, bump["start"]), length - _NARROWEST), 2)
+        place = {"start": start, "width": min(bump["width"], round(length - start, 2), _WIDEST)}
+    return {"road": {"profile": profile["id"], "length": length, "bump": {"height": 0, **place}}}

@@ -96,7 +96,6 @@ def _presets() -> Any:
 
 
 def _vehicles() -> Any:
-    from sim_core.scenario import characteristics
     from sim_core.scenario.vehicles import VEHICLES
 
     names = ("id", "label", "description", "sources", "derived")
@@ -104,10 +103,19 @@ def _vehicles() -> Any:
         {
             **{name: getattr(each, name) for name in names},
             "vehicle": each.vehicle.model_dump(mode="json"),
-            "characteristics": asdict(characteristics(each.vehicle)),
+            **_facts(each.vehicle),
         }
         for each in VEHICLES.values()
     ]
+
+
+def _facts(vehicle: Any) -> dict[str, Any]:
+    """What every answer about a vehicle says of it."""
+    from sim_core.comparison.vehicle_cautions import vehicle_cautions
+    from sim_core.scenario import characteristics
+
+    cautions = [asdict(each) for each in vehicle_cautions(vehicle)]
+    return {"characteristics": asdict(characteristics(vehicle)), "cautions": cautions}
 
 
 _NAMES: Mapping[str, Callable[[], Any]] = {
@@ -155,5 +163,6 @@ def _run(body: Mapping[str, Any], refusal: list[str]) -> dict[str, Any] | None:
         "id": None,
         "core_version": __version__,
         "scenario": scenario.model_dump(mode="json"),
+        **_facts(scenario.vehicle),
         "strategies": plain_answers,
     }

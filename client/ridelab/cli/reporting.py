@@ -8,7 +8,7 @@ import os
 import re
 import signal
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from threading import Timer
@@ -194,6 +194,18 @@ _GAP = 2  # columns between two of a table's
 _WORD = 16  # columns within which a longer word is broken, where there is no room
 _IN_NAME = re.compile(r"([._])(?=[a-z])")
 _FIGURE = re.compile(r"|-|none| *[-+(]?[\d.].*|- : .*|\(misprint .*|[-+]?inf", re.DOTALL)
+
+
+def show_cautions(answer: Mapping[str, Any], *, with_the_papers: bool = True) -> None:
+    """Print what an answer about a scenario or a vehicle says to beware of, a line each.
+
+    Args:
+        answer: The answer; one of an older service has none.
+        with_the_papers: Whether those are printed too that the paper's own values lead to.
+    """
+    for caution in answer.get("cautions", ()):
+        if with_the_papers or not caution["kind"].endswith("_as_printed"):
+            typer.echo(f"Caution: {caution['text']}")
 
 
 def show_table(heads: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:

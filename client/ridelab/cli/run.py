@@ -6,7 +6,7 @@ import typer
 
 from ridelab.cli import fields, options, requirements, targets
 from ridelab.cli.names import Names
-from ridelab.cli.reporting import DIFFERENT, InputError, note, print_json, show_table
+from ridelab.cli.reporting import DIFFERENT, InputError, note, print_json, show_cautions, show_table
 from ridelab.cli.service import Services
 from ridelab.requirements import failing
 from ridelab.results import Interval, Outcome, RunResult
@@ -92,6 +92,7 @@ def _show(run: RunResult, name: str, baseline: str | None, names: Names) -> None
     for outcome in run:
         for caveat in _caveats(outcome):
             typer.echo(f"{names.label(outcome.strategy)}  {caveat}")
+    show_cautions(run.answer, with_the_papers=False)
 
 
 def _caveats(outcome: Outcome) -> list[str]:

@@ -653,6 +653,7 @@ export interface components {
         };
         readonly CreatedRoadsRun: {
             readonly baseline: string;
+            readonly cautions: readonly components["schemas"]["CautionAnswer"][];
             readonly changes: {
                 readonly [key: string]: components["schemas"]["StrategyChanges"];
             };
@@ -668,6 +669,7 @@ export interface components {
             };
         };
         readonly CreatedRun: {
+            readonly cautions: readonly components["schemas"]["CautionAnswer"][];
             readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
             readonly comparison: components["schemas"]["ComparisonAnswer"];
             readonly core_version: string;
@@ -842,6 +844,7 @@ export interface components {
             readonly trials: number;
         };
         readonly HalfCarAnswer: {
+            readonly cautions: readonly components["schemas"]["CautionAnswer"][];
             readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
             readonly vehicle: JsonObject;
         };
@@ -1022,6 +1025,7 @@ export interface components {
             readonly travel_time: number | null;
         };
         readonly LiveRun: {
+            readonly cautions: readonly components["schemas"]["CautionAnswer"][];
             readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
             readonly comparison: components["schemas"]["ComparisonAnswer"];
             readonly core_version: string;
@@ -1322,6 +1326,7 @@ export interface components {
         };
         readonly RoadsRun: {
             readonly baseline: string;
+            readonly cautions: readonly components["schemas"]["CautionAnswer"][];
             readonly changes: {
                 readonly [key: string]: components["schemas"]["StrategyChanges"];
             };
@@ -1348,6 +1353,7 @@ export interface components {
             readonly strategies: readonly string[];
         };
         readonly Run: {
+            readonly cautions: readonly components["schemas"]["CautionAnswer"][];
             readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
             readonly comparison: components["schemas"]["ComparisonAnswer"];
             readonly core_version: string;
@@ -1759,6 +1765,7 @@ export interface components {
             readonly why: string;
         };
         readonly VehicleAnswer: {
+            readonly cautions: readonly components["schemas"]["CautionAnswer"][];
             readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
             readonly derived: readonly string[];
             readonly description: string;

@@ -24,6 +24,7 @@ const form = readSchema(
     road: part("Road", { height: number("Height", 1), shape: choice("Shape", "round", "flat") }),
     state: part("Estimation", { kind: choice("State", "exact", "kalman"), noise: number("Noise") }),
     mpc: part("MPC", { preview: choice("Preview", "lookahead", "none"), weight: number("Weight") }),
+    own: part("Own", { mine: part("Mine", { preview: choice("Mine: preview", "none", "lookahead") }) }),
     ecu: part("ECU", { bits: number("Bits"), delay: number("Delay") }),
   }),
 );
@@ -40,7 +41,7 @@ const PASSIVE: Reading = { id: "passive", label: "Passive", reads_when: [always,
 const strategies = [LV, ECU, PASSIVE];
 
 const say = (pointer: Pointer, on: readonly string[], scenario = {}, all = strategies) =>
-  unusedText(completed(form, scenario), pointer, { form, strategies: all, on });
+  unusedText({ form, scenario: { ...completed(form, scenario), own: {} } }, pointer, { strategies: all, on });
 
 it("a field that no shown strategy uses says who does, as strategies come and go", () => {
   expect(say("/mpc/weight", ["passive"])).toBe("No shown strategy uses this. LV and ECU do.");
@@ -73,4 +74,6 @@ it("one's own controller uses what the server says that it reads", () => {
   const asked = [...strategies, own([always, { fields: ["state.noise"], conditions: [] }])];
   expect(say("/state/noise", ["lv", "mine"], {}, asked)).toBeNull();
   expect(say("/state/noise", ["lv", "mine"], {}, [...strategies, own([always])])).toBe("Used only with State: Kalman");
+  const seeing = own([{ fields: ["state.noise"], conditions: [is("own.mine.preview", "none")] }]);
+  expect(say("/state/noise", ["mine"], {}, [seeing])).toBeNull(); // the option's default, which no scenario has
 });

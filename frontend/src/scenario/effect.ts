@@ -1,11 +1,11 @@
 /** Which strategies use a field of the scenario, as the server says of each, and what to say of a field that none on the screen uses. */
 
 import type { JsonValue, Scenario, Strategy } from "../api/types";
-import { namedLeaves, type Leaf } from "./differences";
+import { namedLeaves, OWN, type Leaf } from "./differences";
 import { dotted, pointerOf } from "./fields";
 import { valueText } from "./limits";
 import { getAt, sameValue, type Pointer } from "./path";
-import { optionOf, optionTitle, type Group } from "./schema";
+import { findMember, optionOf, optionTitle, type Group } from "./schema";
 
 type Condition = Strategy["reads_when"][number]["conditions"][number];
 /** All of the conditions have to hold. */
@@ -29,17 +29,28 @@ function needsOf({ reads_when }: Reading, pointer: Pointer): readonly Need[] {
   return needs;
 }
 
-function holds({ field, values, excluded }: Condition, scenario: Scenario): boolean {
-  const value = getAt(scenario, pointerOf(field)) ?? null;
+/** Of the edited scenario, and the form, which has the defaults of options that it lacks. */
+export interface Edited {
+  readonly form: Group;
+  readonly scenario: Scenario;
+}
+
+function holds({ field, values, excluded }: Condition, { form, scenario }: Edited): boolean {
+  const pointer = pointerOf(field);
+  const value = getAt(scenario, pointer) ?? defaultIn(form, pointer);
   return values.some((each) => sameValue(each, value)) !== excluded;
 }
 
+function defaultIn(form: Group, pointer: Pointer): JsonValue {
+  const member = pointer.startsWith(OWN) ? findMember(form, pointer) : undefined;
+  return member && member.kind !== "group" ? member.paperValue : null;
+}
+
 /** Whether a strategy's result depends on the field in this scenario. */
-export const isUsed = (strategy: Reading, pointer: Pointer, scenario: Scenario): boolean =>
-  needsOf(strategy, pointer).some((need) => need.every((condition) => holds(condition, scenario)));
+export const isUsed = (strategy: Reading, pointer: Pointer, edited: Edited): boolean =>
+  needsOf(strategy, pointer).some((need) => need.every((condition) => holds(condition, edited)));
 
 interface Looked {
-  readonly form: Group;
   /** Every strategy there is. */
   readonly strategies: readonly Reading[];
   /** Ids of those that are shown. */
@@ -48,26 +59,26 @@ interface Looked {
 
 /** What to say of a field, or of several alike, that no shown strategy uses in this scenario; `null` where one does. */
 export function unusedText(
-  scenario: Scenario,
+  edited: Edited,
   pointer: Pointer,
-  { form, strategies, on }: Looked,
+  { strategies, on }: Looked,
   what: "this" | "these" = "this",
 ): string | null {
   const shown = strategies.filter(({ id }) => on.includes(id));
-  if (shown.length === 0 || shown.some((strategy) => isUsed(strategy, pointer, scenario))) return null;
-  const others = strategies.filter((strategy) => isUsed(strategy, pointer, scenario)).map(({ label }) => label);
+  if (shown.length === 0 || shown.some((strategy) => isUsed(strategy, pointer, edited))) return null;
+  const others = strategies.filter((strategy) => isUsed(strategy, pointer, edited)).map(({ label }) => label);
   const nobody = `No shown strategy uses ${what}.`;
   if (others.length > 0) return `${nobody} ${listed(others)} ${others.length === 1 ? "does" : "do"}.`;
-  const need = missing(shown, pointer, scenario);
-  if (need !== null) return saidOf(need, pointer, form);
+  const need = missing(shown, pointer, edited);
+  if (need !== null) return saidOf(need, pointer, edited.form);
   return strategies.some((strategy) => needsOf(strategy, pointer).length > 0) ? nobody : null;
 }
 
 /** The fewest conditions that fail. */
-function missing(strategies: readonly Reading[], pointer: Pointer, scenario: Scenario): Need | null {
+function missing(strategies: readonly Reading[], pointer: Pointer, edited: Edited): Need | null {
   const failing = strategies
     .flatMap((strategy) => needsOf(strategy, pointer))
-    .map((need) => need.filter((condition) => !holds(condition, scenario)));
+    .map((need) => need.filter((condition) => !holds(condition, edited)));
   return failing.length === 0 ? null : failing.reduce((one, other) => (other.length < one.length ? other : one));
 }
 

@@ -148,8 +148,8 @@ export type LeafState = ReturnType<typeof useValue> & {
 export function useLeaf({ pointer, paperValue }: Leaf): LeafState {
   const value = useFromScenario((scenario) => valueAt(scenario, { pointer, paperValue }));
   const unused = useUnused([pointer]);
-  const strategies = useStrategies();
-  const isUsable = useFromScenario((scenario) => strategies.some((each) => isUsed(each, pointer, scenario)));
+  const [form, strategies] = [useForm(), useStrategies()];
+  const isUsable = useFromScenario((scenario) => strategies.some((each) => isUsed(each, pointer, { form, scenario })));
   const leaf = useValue(pointer, value, (scenario, next) => setAt(scenario, pointer, next));
   const changed = !sameValue(value, paperValue);
   // What others use may be meant for them; what nobody can use is switched on elsewhere first.
@@ -163,7 +163,7 @@ export function useUnused(pointers: readonly Pointer[]): string | null {
   const what = pointers.length > 1 ? "these" : "this";
   return useFromScenario((scenario) => {
     const [first = null, ...others] = pointers.map((each) =>
-      unusedText(scenario, each, { form, strategies, on }, what),
+      unusedText({ form, scenario }, each, { strategies, on }, what),
     );
     return others.every((text) => text === first) ? first : null;
   });
