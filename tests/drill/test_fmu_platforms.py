@@ -71,7 +71,7 @@ class Watched(Lqr):
 
     def force(self, seen: Seen) -> FloatArray:
         law, limit = self._law, SCENARIO.mpc.force_limit
-        force: FloatArray = np.clip(law.force(seen.state, seen.previous_force, seen.disturbances), -limit, limit)
+        force: FloatArray = np.clip(law.force(seen.state, seen.previous_force), -limit, limit)
         self.seen.append((seen.state.copy(), force))
         return force
 

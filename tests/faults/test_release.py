@@ -7,6 +7,7 @@ import zlib
 from collections.abc import Iterator
 from contextlib import closing
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import httpx
@@ -19,11 +20,12 @@ from backend.links.models import Link
 from backend.runs.pins import PARQUET
 from backend.store import Store
 from backend.store.job import FINAL
-from sim_core import Scenario, __version__, simulate
+from sim_core import Scenario, __version__, load_controllers, simulate
 from sim_core.catalogue import SIGNALS
 from tests.api.streams import events_of, read_events
 from tests.data import release
 from tests.faults.conftest import Process, Start, starter
+from tests.servers.batches import computed
 from tests.servers.postgres import Postgres
 from tests.servers.process import wait_until
 from tests.validation.strategies import some
@@ -103,6 +105,32 @@ def test_what_may_be_answered_otherwise_is_answered(opened: Opened, part: str) -
     assert bool(paths) is (opened.version == "0.4.0")
     for path in paths:
         opened.client.get(f"/api/v1{path}").raise_for_status()
+
+
+def test_a_new_request_gets_no_result_that_a_controllers_plain_preview_made_wrong(
+    opened: Opened, tmp_path: Path
+) -> None:
+    """Core 0.4.0 had one result for all gains of the sensors; now each run and each point of a sweep is computed."""
+    stored = [each for path, each in release.content(opened.version).get("stale", {}).items() if "/runs/" in path]
+    release.write_controllers(opened.version, tmp_path)
+    figure, gains, metrics = "bump.body_acceleration.peak", list[float](), list[float]()
+    for run in stored:
+        (kind,) = (each["ahead"] for file in tmp_path.glob("*.py") if "ahead" in (each := load_controllers(file)))
+        asked = {"scenario": run["scenario"], "strategies": ["passive", "ahead"]}
+        now = opened.client.post("/api/v1/runs", json=asked).raise_for_status().json()
+        assert (now["core_version"], now["id"] == run["id"]) == (__version__, False)
+        expected = simulate(Scenario.model_validate(run["scenario"]), kind)
+        assert now["strategies"]["ahead"]["metrics"] == expected.summary()["metrics"]
+        gains.append(run["scenario"]["mismatch"]["preview_gain"])
+        metrics.append(expected.metrics["bump"]["body_acceleration"]["peak"])
+    if stored:
+        before = [run["strategies"]["ahead"]["metrics"] for run in stored]
+        assert all(each == before[0] for each in before)
+        assert len(set(metrics)) == len(stored) > 1
+        sweep = {"grid": {"mismatch.preview_gain": gains}}
+        batch = computed(opened.client, scenario=stored[0]["scenario"], strategies=["ahead"], sweep=sweep)
+        table = opened.client.get(f"/api/v1/batches/{batch['id']}/table", params={"figures": figure}).json()
+        assert table["columns"][figure] == metrics
 
 
 def test_a_summary_says_which_core_computes_its_nominal_values(opened: Opened) -> None:

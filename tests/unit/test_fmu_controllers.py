@@ -10,9 +10,11 @@ from pythonfmu.builder import FmuBuilder
 
 from backend.fmu.archive import fmu
 from backend.fmu.description import Version
+from backend.own.description import described, stand_in
 from sim_core import Controller, RidelabError, Scenario, StrategyResult, check_controller, load_controllers, simulate
 from sim_core.control.controller import Option
 from sim_core.fmi import archive
+from sim_core.strategies import STRATEGIES, reads
 
 SCENARIO = Scenario.model_validate(
     {
@@ -59,7 +61,7 @@ class Damper(Fmi2Slave):
 
 
 class Damper(Controller):
-    id, label, preview, prediction_horizon = "in_python", "In Python", "none", 0
+    id, label = "in_python", "In Python"
 
     def force(self, seen: Any) -> tuple[float, float]:
         stage = ("cruise", "brake", "bump").index(seen.stage)
@@ -101,6 +103,9 @@ def test_our_exported_lqr_drives_like_ours(version: Version, tmp_path: Path) -> 
     assert same(ours, simulate(SCENARIO, kind))
     assert np.abs(ours.series["front_force"]).max() == 1500, "the limit was met"
     assert check_controller(kind, SCENARIO) == []
+    asks_for = [each.for_scenario(SCENARIO) for each in (kind(), STRATEGIES["lqr"]())]
+    assert len({(each.preview, each.preview_steps) for each in asks_for}) == 1
+    assert all("mismatch" in reads(each) for each in (kind, stand_in(described(kind))))
     limited = simulate(SCENARIO, kind(force_limit=300.0))
     assert np.abs(limited.series["front_force"]).max() == 300
 
@@ -112,6 +117,8 @@ def test_one_that_pythonfmu_made_drives_like_the_same_law_in_python(made_by_pyth
     assert options == {"damping": (3000.0, "1"), "harder": (2, "1"), "broken": (False, "1")}
     assert kind.description() == "Damps the body, a little harder in every stage, and more and more."
     assert same(simulate(SCENARIO, Damper), simulate(SCENARIO, kind))
+    assert (kind.preview, kind.prediction_horizon) == ("none", 0), "it has no input of the road ahead"
+    assert not {"mismatch", "mismatch.preview_gain"} & set(reads(kind))
     assert check_controller(kind) == []
 
 
