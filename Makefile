@@ -16,7 +16,7 @@ unexport PYTHONDONTWRITEBYTECODE
 MAKEFLAGS += --jobs=3  # packages and page side by side; the tests beside both halves of the checks, which give way to them
 .DELETE_ON_ERROR:  # a half-made page or manual is made again
 
-.PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust figures manual setup development compiler lock pin dist clean
+.PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust nearest figures manual setup development compiler lock pin dist clean
 
 run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
@@ -66,9 +66,12 @@ margins: setup ## how much worse LQR is than LV, and every strategy against pass
 robust: development ## searches the preset `robust` again and drives it at points it never saw: some ten minutes
 	$(BIN)/python -m benchmarks.robust
 
-paper: setup ## the paper's tables against ours, cell by cell, both readings also on roads 21 to 60; all in paper-report.html
+nearest: development ## what the paper's printed absolutes are compatible with: the tables of docs/explanation/nearest.md
+	$(BIN)/python -m benchmarks.nearest
+
+paper: setup ## the paper's tables against ours, cell by cell, each named set of readings also on roads 21 to 60; all in paper-report.html
 	$(BIN)/ridelab paper --report paper-report.html
-	$(BIN)/ridelab paper --seeds 21-60 | tail -6
+	$(BIN)/ridelab paper --seeds 21-60 | tail -7
 
 screenshots: development ## docs/images again: a picture of every page, and the README's moving one
 	$(BIN)/python -m tests.browser.screenshots
