@@ -138,7 +138,9 @@ def memory(scenario: Scenario, strategy: type[Controller], time: float) -> float
     """
     steps, fine = samples(scenario, strategy, time)
     controller = strategy().for_scenario(scenario)
-    previewed = {"none": 8.0, "wheelbase": 58.0}.get(controller.preview, 0.0) * controller.preview_steps
+    ahead = controller.preview_steps * scenario.mpc.sample_time * scenario.speed.initial
+    copied = controller.preview == "wheelbase" or ahead > scenario.speed.detection_distance
+    previewed = (8.0 if controller.preview == "none" else 58.0 * copied) * controller.preview_steps
     each = 250.0 + max(165.0 * fine, 85.0 * fine + previewed)
     if strategy.actuated and scenario.estimation.kind != "exact":
         each += 300.0

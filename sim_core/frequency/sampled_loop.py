@@ -13,6 +13,7 @@ from sim_core.errors import RidelabError
 from sim_core.loop.run import Run
 from sim_core.road.sensed import expected_errors, trust
 from sim_core.scenario import Preview, Vehicle
+from sim_core.speed.profile import REACHED
 from sim_core.strategies import STRATEGIES
 from sim_core.vehicle.estimator import make_estimator
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, discrete, measurement
@@ -173,18 +174,20 @@ def previewed(loop: SampledLoop, mode: Preview, omega: FloatArray, steps: int) -
     """
     scenario, h, v = loop.run.scenario, loop.step, loop.speed
     s, interval_index = 1j * omega[:, None], np.arange(steps)
+    ends = (interval_index + 1) * h * v  # how far ahead of each axle an interval ends [m]
     behind = np.exp(-s * scenario.rear_axle_offset / v)
     interval = np.exp(s * h * interval_index) * (np.exp(s * h) - 1) / h
     seen = np.zeros((len(omega), 2, steps), dtype=np.complex128)
     if mode == "wheelbase":
-        seen[:, 1] = behind * interval * ((interval_index + 1) * h * v <= scenario.rear_axle_offset)
+        seen[:, 1] = behind * interval * (ends <= scenario.rear_axle_offset)
     if mode == "lookahead":
         mismatch, n = scenario.mismatch, omega / (2 * np.pi * v)
         factor = mismatch.preview_gain * np.sinc(n * mismatch.preview_resolution)
         factor = factor * trust(n, scenario.road.roughness, expected_errors(scenario.mpc))
         sensed = factor[:, None] * np.exp(-s * (mismatch.preview_delay + mismatch.preview_offset / v))
-        seen[:, 0] = sensed * interval
-        seen[:, 1] = sensed * behind * interval
+        until = scenario.speed.detection_distance + REACHED
+        seen[:, 0] = sensed * interval * (ends <= until)
+        seen[:, 1] = sensed * behind * interval * (ends <= until + scenario.rear_axle_offset)
     return seen
 
 

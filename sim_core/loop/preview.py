@@ -4,6 +4,9 @@ none: the road ahead is taken as level. wheelbase: the rear axle will meet what 
 where both meet the road together.
 lookahead: the sensors that find the bump give the road for the whole horizon, and the speed plan is known.
 obstacle: those sensors give the bump alone, without the roughness.
+
+Sensors see as far ahead of the front axle as they detect the bump, `speed.detection_distance`; behind that the road is
+taken as level.
 """
 
 from dataclasses import dataclass
@@ -17,7 +20,7 @@ from sim_core.loop.excitation import Excitation, TimeGrid
 from sim_core.road.profile import RoadProfile
 from sim_core.road.sensed import ExpectedErrors, expected_errors, sensed_road
 from sim_core.scenario import Mismatch, Preview, Scenario
-from sim_core.speed.profile import SpeedProfile
+from sim_core.speed.profile import REACHED, SpeedProfile
 from sim_core.vehicle.half_car import DISTURBANCES
 
 
@@ -58,7 +61,8 @@ def preview(
         expected = expected_errors(scenario.mpc) if mode == "lookahead" else ExpectedErrors()
         if mode == "obstacle" or mismatch.preview_noise or mismatch.preview_resolution or expected != ExpectedErrors():
             surface = sensed_road(surface, scenario.road, mismatch, expected, obstacle_alone=mode == "obstacle")
-        return _by_sensors(surface, speed_profile, excitation.grid, horizon, rear_axle_offset, mismatch)
+        distance = scenario.speed.detection_distance
+        return _by_sensors(surface, speed_profile, excitation.grid, horizon, rear_axle_offset, mismatch, distance)
     if mode == "wheelbase":
         disturbances, sizes = _behind_the_front(excitation, speed_profile, horizon, rear_axle_offset)
     else:
@@ -94,6 +98,7 @@ def _by_sensors(
     horizon: int,
     rear_axle_offset: float,
     mismatch: Mismatch,
+    detection_distance: float,
 ) -> Forecast:
     """What sensors and speed plan predict for every interval to come."""
     axles, braking = _sensed_places(
@@ -104,7 +109,27 @@ def _by_sensors(
     np.subtract(height[:, 1:], height[:, :-1], out=disturbances[:2])
     disturbances[:2] /= grid.step
     disturbances[2] = braking
-    return sliding_forecast(disturbances, horizon, height[:, : len(grid.time) - 1])
+    forecast = sliding_forecast(disturbances, horizon, height[:, : len(grid.time) - 1])
+    seen_until = axles[0, : disturbances.shape[1] - horizon + 1] + detection_distance + REACHED
+    if (axles[0, horizon:] <= seen_until).all():
+        return forecast
+    return _within_sight(forecast, axles, seen_until)
+
+
+def _within_sight(forecast: Forecast, axles: FloatArray, seen_until: FloatArray) -> Forecast:
+    """Return the forecast with level road in intervals that do not lie within sight as a whole.
+
+    Args:
+        forecast: What sensors without a limit give.
+        axles: Where they take both axles to be at every control instant to come (2, n + 1) [m].
+        seen_until: The furthest place that they see at each control step (steps,) [m].
+    """
+    horizon, sizes = forecast.disturbances.shape[2], forecast.sizes.copy()
+    ends = np.lib.stride_tricks.sliding_window_view(axles[:, 1:], horizon, axis=1)
+    disturbances = np.array(forecast.disturbances)
+    disturbances[:2] *= ends <= seen_until[:, None]
+    sizes[1:3] = np.linalg.norm(disturbances[:2], axis=2)
+    return Forecast(disturbances=disturbances, source=disturbances, sizes=sizes, height_now=forecast.height_now)
 
 
 @cached

@@ -40,7 +40,10 @@ class Speed(Part):
         22.5, "Target speed", "Aimed at for the bump; the paper's 20 to 25 km/h."
     )
     detection_distance: Annotated[float, quantity("m", soft=(20, 100), ge=1, le=1000)] = field(
-        80, "Detection distance", "How far ahead the bump is seen and braking begins."
+        80,
+        "Detection distance",
+        "How far ahead of the front axle sensors see: braking for the bump begins there, and lookahead and obstacle "
+        "preview know no road beyond.",
     )
     controller: Literal["guarded", "fuzzy"] = field(
         "guarded",

@@ -21,6 +21,7 @@ _POLICIES = get_args(Speed.model_fields["policy"].annotation)
 _BRAKING = {"vehicle.cg_height", "vehicle.anti_dive", "vehicle.anti_lift", "vehicle.front_brake_share"}
 _EXPECTED = "expected_offset", "expected_noise"
 _KNOWS_PREVIEW = "estimation.knows_preview"
+_DETECTION = "speed.detection_distance"  # where braking begins, too
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -148,6 +149,8 @@ def _of_sensors(strategy: type[Controller]) -> dict[str, Alternatives]:
     """Those of what the strategy itself previews."""
     modes = {name: [mode for mode, names in PREVIEW.items() if name in names] for name in PREVIEW[READS_MOST]}
     needs = {name: _previews(strategy, *those) for name, those in modes.items()}
+    braking = [policy for policy in _POLICIES if resolve_speed_plan(strategy, policy) == "planned"]
+    needs[_DETECTION] = _any(_is(_POLICY, *braking), needs[_DETECTION])
     return needs | {_KNOWS_PREVIEW: _all(_filtered(strategy), needs[_KNOWS_PREVIEW])}
 
 

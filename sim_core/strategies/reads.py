@@ -41,6 +41,7 @@ SENSORS_AHEAD = (
     "mismatch.preview_gain",
     "mismatch.preview_resolution",
     "mismatch.preview_delay",
+    "speed.detection_distance",
 )
 PREVIEW: dict[Preview, tuple[str, ...]] = {
     "none": (),

@@ -262,6 +262,7 @@ def test_a_run_whose_qps_take_too_much_ends_at_the_same_qp_each_time(
     assert (sent.message, sent.fields) == (refused.value.message, refused.value.fields)
 
 
+WALK: dict[str, Any] = {"initial_speed_kmh": 5.0, "target_speed_kmh": 5.0}
 MEASURE = """
 import pathlib, re, sys
 from sim_core.scenario import Scenario
@@ -285,17 +286,14 @@ print(most() - before)
         ("passive", Mpc(), {}),
         ("lqr", Mpc(sample_time=0.002), {"estimation": Estimation(kind="kalman")}),
         ("lv", Mpc(prediction_horizon=100, preview="none"), {}),
+        ("lv", Mpc(prediction_horizon=100), {"speed": Speed(**WALK, detection_distance=1)}),  # 1.4 m are previewed
     ],
     ids=lambda value: value if isinstance(value, str) else "",
 )
-def test_a_run_takes_no_more_memory_than_is_estimated(strategy: str, mpc: Mpc, more: dict[str, Estimation]) -> None:
+def test_a_run_takes_no_more_memory_than_is_estimated(strategy: str, mpc: Mpc, more: dict[str, Any]) -> None:
     """With its time histories, in a process of its own, whose peak the system knows; other runs' caches take 28 MiB."""
-    scenario = Scenario(
-        road=Road(length=600, bump=Bump(start=60)),
-        speed=Speed(initial_speed_kmh=5, target_speed_kmh=5),
-        mpc=mpc,
-        **more,  # type: ignore[arg-type]  # as the field has it
-    )
+    parts: dict[str, Any] = {"road": Road(length=600, bump=Bump(start=60)), "speed": Speed(**WALK), "mpc": mpc}
+    scenario = Scenario(**parts | more)
     estimated = memory(scenario, STRATEGIES[strategy], duration(scenario, strategy))
     assert estimated > 8e7, "enough to be told from what any run takes"
     command = [sys.executable, "-c", MEASURE, scenario.model_dump_json(), strategy]

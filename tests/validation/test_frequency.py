@@ -27,10 +27,12 @@ MISTAKEN = {
     "preview_delay": 0.01,
     "preview_resolution": 1.0,
 }
+NEAR_SIGHTED = {"initial_speed_kmh": 3.6 * SPEED, "policy": "constant", "detection_distance": 1}
 CASES: list[tuple[str, dict[str, Any]]] = [
     ("passive", {}),
     ("lqr", {"lqr": {"preview": "lookahead"}}),
     ("lv", {}),
+    ("lqr", {"lqr": {"preview": "lookahead"}, "speed": NEAR_SIGHTED}),
     ("lv", {"mpc": {"preview": "wheelbase"}}),
     ("lv", {"mpc": {"preview": "none"}, "actuator": {"bandwidth": 10}}),
     ("lv", {"estimation": FILTER, "mismatch": MISTAKEN}),

@@ -1,5 +1,7 @@
 """A real car and real sensors other than the controllers believe."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -66,6 +68,44 @@ def test_the_rear_axles_road_is_known_as_far_as_the_front_one_has_driven() -> No
     assert not front.any()
     assert rear[:, :12].all(axis=0).all()
     assert not rear[:, 12:].any()
+
+
+@pytest.mark.parametrize("mode", ["lookahead", "obstacle", "wheelbase"])
+def test_sensors_see_as_far_as_they_detect_the_bump(mode: Preview) -> None:
+    """16 control steps of a 128th of a second at 72 km/h are 2.5 m; the rear axle's road is seen 12 steps longer."""
+    wheelbase = {"vehicle": Vehicle(cg_to_front=0.9375, cg_to_rear=0.9375)}
+    near, far = (
+        np.split(previewed(SHORT.model_copy(update=wheelbase | {"speed": speed}), mode, 2.0**-7, 30), 3, axis=1)
+        for speed in (Speed(initial_speed_kmh=72, detection_distance=distance) for distance in (2.5, 80))
+    )
+    for within, whole, last in zip(near, far, (30, 30, 30) if mode == "wheelbase" else (16, 28, 30), strict=True):
+        np.testing.assert_array_equal(within[:, :last], whole[:, :last])
+        assert not within[:, last:].any()
+    assert near[1].any()
+    assert far[0][:, 16:].any() == (mode != "wheelbase")
+
+
+@pytest.mark.parametrize(
+    ("strategy", "parts"),
+    [
+        ("lv", {}),
+        ("lv_hil", {}),
+        ("suspension_only", {"mpc": {"preview": "obstacle"}}),
+        ("lqr", {"lqr": {"preview": "lookahead"}}),
+    ],
+)
+def test_at_constant_speed_the_detection_distance_bounds_the_preview(strategy: str, parts: dict[str, Any]) -> None:
+    """The horizon is 3 m long: 80 and 5 m are beyond it, 1 m is within."""
+    road = SHORT.road.model_dump()
+    speed = {"policy": "constant", "initial_speed_kmh": 36}
+    peaks = [
+        simulate(
+            Scenario.model_validate({**parts, "road": road, "speed": {**speed, "detection_distance": distance}}),
+            strategy,
+        ).metrics["bump"]["body_acceleration"]["peak"]
+        for distance in (80, 5, 1)
+    ]
+    assert peaks[0] == peaks[1] < peaks[2]
 
 
 @pytest.mark.parametrize("mode", ["lookahead", "obstacle", "wheelbase"])

@@ -89,6 +89,8 @@ def with_leaf(path: tuple[str, ...], base: Scenario = BASE) -> Scenario:
         place[path[-1]] = [[-1, -3000], [1, 5000]]
     if path[0] == "fuzzy":
         place[path[-1]] = OWN_RULES[path[-1]]
+    if path == ("speed", "detection_distance"):  # within the horizon, of which preview sees no more then
+        place[path[-1]] = 1.0
     if path == ("hil", "jitter"):  # whole milliseconds count
         place[path[-1]] = 0.006
     changed = Scenario.model_validate(document)
