@@ -15,7 +15,7 @@ from backend.json_types import JsonObject
 from sim_core.check_controller import ID
 from sim_core.program import program
 from sim_core.scenario import Scenario
-from sim_core.scenario.recorded import NAME_PATTERN, REFERENCES, recording_id
+from sim_core.scenario.recorded import NAME_PATTERN, recording_id
 from sim_core.strategies import STRATEGIES, strategy_named, values_read
 
 STRATEGY_PATTERN = f"{ID}|{NAME_PATTERN}"  # of a strategy's name in a run: simulated, or a recording
@@ -91,7 +91,7 @@ def run_id(scenario: Scenario, strategies: Iterable[str], roads: int = 1, baseli
 
 def _program(strategies: Iterable[str]) -> JsonObject:
     """What computes these strategies, all together."""
-    computed = {each for name in strategies for each in (REFERENCES if recording_id(name) else (name,))}
+    computed = {each for name in strategies for each in (STRATEGIES if recording_id(name) else (name,))}
     programs = {name: program(strategy_named(name)) for name in sorted(computed)}
     common = {key: value for each in programs.values() for key, value in each.items() if key != "controller"}
     return {**common, "controllers": {name: each["controller"] for name, each in programs.items()}}

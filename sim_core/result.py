@@ -12,6 +12,9 @@ from sim_core.arrays import FloatArray
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
 
+_FORCES = ("front_force", "rear_force")
+ROUNDING = 1e-6  # of the largest force: what changes by less does not jump
+
 
 def no_columns(_: slice) -> Mapping[str, FloatArray]:
     """Of time histories that are all there."""
@@ -57,6 +60,33 @@ class Series(Mapping[str, FloatArray]):
         if key in self._shared:
             return self._shared[key][samples]
         return self._columns[key][np.divmod(samples, self._each)]
+
+    @cached_property
+    def jumps(self) -> NDArray[np.intp]:
+        """The samples at which a held force jumps: what it was just before is in none of the histories (jumps,)."""
+        if not (set(_FORCES) <= self._columns.keys()):
+            return np.zeros(0, np.intp)
+        samples = np.arange(self._each, self._length, self._each)
+        jumped = np.zeros(len(samples), np.bool_)
+        for key in _FORCES:
+            rows = self._columns[key]
+            change = np.abs(rows[1 : len(samples) + 1, 0] - rows[: len(samples), -1])
+            jumped |= change > ROUNDING * np.abs(rows).max(initial=0.0)
+        return samples[jumped]
+
+    def with_jumps(self, key: str, start: int, end: int, dtype: type[np.floating[Any]] = np.float64) -> NDArray[Any]:
+        """A signal's samples from `start` up to before `end`, those before jumps counted and among them.
+
+        There are as many more than in the histories as there are `jumps`: two at each such instant, the values before
+        and after it.
+        """
+        at = self.jumps + np.arange(len(self.jumps))  # of the samples before jumps
+        first, last = np.searchsorted(at, [start, end]).tolist()
+        jumps = self.jumps[first:last]
+        values = self.between(key, start - first, end - last, dtype)
+        shared = key in self._shared
+        before = self._shared[key][jumps] if shared else self._columns[key][jumps // self._each - 1, -1]
+        return np.insert(values, jumps - (start - first), before.astype(dtype))
 
     def of_commands(self, start: int, end: int) -> "Series":
         """Of the held commands that the samples from `start` up to before `end` belong to; no other one's are made."""

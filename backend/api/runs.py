@@ -180,7 +180,10 @@ async def get_series(
     points: Points = None,
     encoding: Annotated[Literal["list", "base64"], Query(description="Of JSON only")] = "list",
 ) -> Response:
-    """Time histories in SI units; time and position always come along."""
+    """Time histories in SI units; time and position always come along.
+
+    All samples are two at an instant at which a held force jumps: the values before and after.
+    """
     names = _names("strategy", strategy)
     content = await curves.series(
         run_id,

@@ -8,12 +8,12 @@ from collections.abc import Iterable, Mapping
 from math import atan, exp, log, sqrt
 
 from backend.cost.binding_limits import LimitShares, expected_limits
-from sim_core import Actuator, Controller, DampingController, EcuController, PredictiveController, Scenario
+from sim_core import STRATEGIES, Actuator, Controller, DampingController, EcuController, PredictiveController, Scenario
 from sim_core.control.qp import osqp_effort
 from sim_core.errors import TooExpensiveError
 from sim_core.loop.excitation import StepSizes, longest_fine_step, step_sizes
 from sim_core.loop.run import run_dampers
-from sim_core.scenario.recorded import REFERENCES, recording_id
+from sim_core.scenario.recorded import recording_id
 from sim_core.speed.brake import BrakeChain
 from sim_core.speed.profile import SPEED_CONTROL_PERIOD, TARGET_BAND, make_speed_profile
 from sim_core.strategies import speed_plan_on, strategy_named
@@ -84,7 +84,7 @@ def estimate(scenario: Scenario, name: str) -> float:
         UnknownNameError: No such strategy.
     """
     if recording_id(name) is not None:
-        return RECORDED + sum(estimate(scenario, each) for each in REFERENCES)
+        return RECORDED + sum(estimate(scenario, each) for each in STRATEGIES)
     strategy = strategy_named(name)
     time = expected_time(scenario, strategy)
     counts = work(scenario, strategy, time, expected_limits(scenario, strategy, time))

@@ -157,7 +157,7 @@ class Links:
         if not missing or stored.core_version != CORE_VERSION:
             return {}
         scenario = Scenario.model_validate(upgraded_scenario(stored.scenario, stored.schema_version))
-        if SAMPLE_BYTES * sum(most_samples(scenario, name) for name in missing) > MOST_PINNED:
+        if SAMPLE_BYTES * sum(most_samples(scenario, name, jumps=True) for name in missing) > MOST_PINNED:
             return {}
         scenario = await self.recordings.on(await self.roads.on(scenario), missing)
         cost = cost_of(scenario, missing)

@@ -11,6 +11,7 @@ from backend import csv_lines
 from backend.csv_lines import CsvError
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS, SIGNALS
+from sim_core.recorded.zeros import notes_on_zeros
 from sim_core.scenario.recorded import LONGEST, RecordedDrive
 
 MAX_LINE, MAX_COLUMNS = 4000, 200
@@ -68,6 +69,9 @@ def read(content: bytes, mapping: Mapping[str, str]) -> Reading:
     _check(signals, numbers)
     left_out = [column.name or f"column {column.index + 1}" for column in columns if column.signal is None]
     warnings = [f"Left out: {', '.join(left_out[:20])}"] if left_out else []
+    clock = signals["time"] if "time" in signals else signals["position"]
+    if jumps := _count(np.diff(clock) == 0):
+        warnings.append(f"Instants with two samples: {jumps}, taken as the values before and after a jump")
     signals = _apart_at_gaps(signals, numbers, warnings)
     signals = _filled(signals, warnings)
     return Reading(drive=RecordedDrive.of(signals), columns=columns, warnings=[*warnings, *_doubts(signals)])
@@ -133,7 +137,10 @@ def _check_signals(columns: Sequence[Column], line: int) -> None:
 
 
 def _check(signals: Mapping[str, FloatArray], numbers: Sequence[int]) -> None:
-    """Refuse a time or a distance that does not go on, or goes on for too long, and what is infinite."""
+    """Refuse a time or a distance that does not go on, or goes on for too long, and what is infinite.
+
+    Two samples at one instant are the values before and after a jump; a third one is none.
+    """
     for key, values in signals.items():
         if (infinite := np.isinf(values)).any():
             raise CsvError(f"{SIGNALS[key].label} is not finite", numbers[int(infinite.argmax())])
@@ -145,7 +152,8 @@ def _check(signals: Mapping[str, FloatArray], numbers: Sequence[int]) -> None:
             raise CsvError(f"The {label} is missing", numbers[int(lost.argmax())])
         steps = np.diff(values)
         may_stand = key == "position" and "time" in signals
-        back = np.flatnonzero(steps < 0 if may_stand else steps <= 0)
+        still = np.append(False, (steps[1:] <= 0) & (steps[:-1] <= 0))
+        back = np.flatnonzero((steps < 0) | (still & (not may_stand)))
         if len(back):
             what = "goes back" if steps[back[0]] < 0 else "stands still"
             raise CsvError(f"The {label} {what}: every line is further on than the one before", numbers[back[0] + 1])
@@ -164,7 +172,7 @@ def _apart_at_gaps(
     """With a sample without values in each gap, so that nothing is drawn or integrated across it."""
     key, least = ("time", GAP_TIME) if "time" in signals else ("position", GAP_DISTANCE)
     steps = np.diff(signals[key])
-    gaps = np.flatnonzero(steps > max(least, GAP_STEPS * float(np.median(steps))))
+    gaps = np.flatnonzero(steps > max(least, GAP_STEPS * float(np.median(steps[steps > 0]))))
     if not len(gaps):
         return signals
     most = f"{steps.max():.3g} {SIGNALS[key].unit}"
@@ -212,18 +220,12 @@ def _count(which: NDArray[np.bool_]) -> int:
 
 
 def _doubts(signals: Mapping[str, FloatArray]) -> list[str]:
-    """What may be wrong with units and zeros."""
+    """Say what may be wrong with units, and what lies in signals beside motion."""
     said = []
     for key, values in signals.items():
         largest, unit = LARGEST.get(SIGNALS[key].unit), SIGNALS[key].unit
-        if key in ("time", "position") or np.isnan(values).all():
+        if key in ("time", "position") or largest is None or np.isnan(values).all():
             continue
-        mean, spread = float(np.nanmean(values)), float(np.nanstd(values))
-        if largest is not None and (most := float(np.nanmax(np.abs(values)))) > largest:
+        if (most := float(np.nanmax(np.abs(values)))) > largest:
             said.append(f"{SIGNALS[key].label} reaches {most:.3g} {unit}: is its unit right?")
-        if key in METRIC_SIGNALS and abs(mean) > max(spread, 1e-9):
-            gravity = (
-                ": is gravity in it? It" if key == "body_acceleration" and 8 < abs(mean) < 12 else ", not about 0: it"
-            )
-            said.append(f"{SIGNALS[key].label} lies about {mean:.3g} {unit}{gravity} is taken as it is")
-    return said
+    return said + (notes_on_zeros(signals, float(np.ptp(signals["time"]))) if "time" in signals else [])

@@ -105,7 +105,8 @@ def _driven(scenario: Scenario, name: str, points: int | None) -> Columns:
     result = simulate(scenario, name)
     if points is None:
         series = result.series
-        return Columns(len(series["time"]), lambda key, start, end: series.between(key, start, end, np.float32))
+        count = len(series["time"]) + len(series.jumps)
+        return Columns(count, lambda key, start, end: series.with_jumps(key, start, end, np.float32))
     array = pack(result, Sampling(points))
     return Columns(array.shape[1], lambda key, start, end: array[ROWS[key], start:end])
 

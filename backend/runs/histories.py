@@ -120,7 +120,7 @@ class Histories:
             TemporaryError: Too much is being computed, or waits to be read.
         """
         scenario = Scenario.model_validate(stored.scenario)
-        size = export.size(most_samples(scenario, name) for name in keys)
+        size = export.size(most_samples(scenario, name, jumps=True) for name in keys)
         cost = exports.BYTE_COST * size
         async with self._pinned(scenario, keys, client) as pinned:
             if pinned is None:
@@ -228,7 +228,7 @@ class Histories:
         if not wanted <= await self.store.read(self.store.links.pinned, wanted):
             yield None
             return
-        size = SAMPLE_BYTES * sum(most_samples(scenario, name) for name in keys)
+        size = SAMPLE_BYTES * sum(most_samples(scenario, name, jumps=True) for name in keys)
         with self.gate.hold(client, pinned_bytes=size):
             contents = await self.store.read(self.store.links.load_pins, wanted)
             if not wanted <= contents.keys():

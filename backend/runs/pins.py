@@ -16,7 +16,7 @@ import orjson
 from backend.cost.affordable import simulate
 from backend.errors import ServiceError
 from backend.file_formats import NO_PARQUET, has_parquet
-from backend.runs.series import ROWS, SamplingHints, SeriesArray, decimate, pack
+from backend.runs.series import ROWS, SamplingHints, SeriesArray, decimate, pack_all
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
@@ -34,7 +34,7 @@ class ParquetPinError(ServiceError):
 
 def make(scenario: Scenario, strategies: Sequence[str]) -> dict[str, bytes]:
     """Simulate each strategy and pin its time histories, by strategy."""
-    return {name: write(pack(simulate(scenario, name)), name) for name in strategies}
+    return {name: write(pack_all(simulate(scenario, name)), name) for name in strategies}
 
 
 def write(series: SeriesArray, strategy: str, core_version: str = CORE_VERSION) -> bytes:
@@ -60,7 +60,9 @@ def columns(content: bytes, stages: SamplingHints, points: int | None) -> dict[s
     samples: dict[str, SeriesArray] = reads(content, [key for key in SIGNALS if key in present])
     if points is None:
         return samples
-    return dict(zip(samples, decimate(np.stack(list(samples.values())), points, stages), strict=True))
+    after_jumps = np.append(np.diff(samples["time"]) > 0, True)  # of two samples at one instant the later one
+    table = np.stack([values[after_jumps] for values in samples.values()])
+    return dict(zip(samples, decimate(table, points, stages), strict=True))
 
 
 def _samples(content: bytes, wanted: Sequence[str]) -> dict[str, SeriesArray]:

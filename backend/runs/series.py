@@ -52,6 +52,16 @@ def pack(result: StrategyResult, sampling: Sampling | None = None) -> SeriesArra
     return np.array([series.at(key, shown) for key in SIGNALS], dtype=np.float32)
 
 
+def pack_all(result: StrategyResult) -> SeriesArray:
+    """A result's time histories as one array, with two samples at each instant at which a held force jumps."""
+    series = result.series
+    count = len(series["time"]) + len(series.jumps)
+    array = np.empty((len(SIGNALS), count), dtype=np.float32)
+    for number, key in enumerate(SIGNALS):
+        array[number] = series.with_jumps(key, 0, count, np.float32)
+    return array
+
+
 def _on_bump(result: StrategyResult) -> Series:
     """The time histories around the bump, if there is one; lines lead to a sample more on either side."""
     for span in result.stages:
@@ -167,10 +177,10 @@ def as_json(values: Callable[[str], SeriesArray], signals: Iterable[str], encodi
     return {key: partial(typed if encoding == "base64" else values, key) for key in signals}
 
 
-def most_samples(scenario: Scenario, strategy: str) -> int:
-    """About the most samples that the strategy's time histories have."""
+def most_samples(scenario: Scenario, strategy: str, *, jumps: bool = False) -> int:
+    """About the most samples that the strategy's time histories have, with those before `jumps` or without."""
     if recording_id(strategy) is not None:
         return MAX_LINES
     name = strategy if strategy in strategies() else "lv"  # none has more than it: one that is gone may be pinned
     steps, fine = samples(scenario, strategy_named(name), duration(scenario, name))
-    return ceil(steps) * fine
+    return ceil(steps) * (fine + jumps)

@@ -1,4 +1,4 @@
-"""Metrics of a run: RMS and peak per window as the paper's tables, and what the field expects beside them.
+"""The result of a run: its metrics by their one definition, and what its controller, its stages and its speed add.
 
 A record has a column for each held command, with the values at both its ends: forces jump where a command changes, and
 so do the accelerations. Mean squares are trapezoids within the columns; windows end between samples, where the drive
@@ -6,37 +6,41 @@ does.
 """
 
 from collections.abc import Mapping, Sequence
-from math import isnan, nan, sqrt
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.catalogue import METRIC_SIGNALS, WINDOWS
+from sim_core.catalogue import EVENTS, METRIC_SIGNALS
 from sim_core.kernel.record import Recorder
 from sim_core.loop.run import Recording, Run
+from sim_core.metrics.definition import Sums, comfort_metrics, drive_events, mean_squares, window_metrics
 from sim_core.metrics.windows import Windows, section_ends
 from sim_core.result import Series, StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.scenario.parts import KMH
 from sim_core.speed.profile import TARGET_BAND, SpeedProfile
 
-_AIRBORNE = "airborne_ms", "front_airborne_ms", "rear_airborne_ms"
-_NOTHING = {"rms": nan, "peak": nan}
-_LINES = sum(signal.endswith("acceleration") for signal in METRIC_SIGNALS)  # straight between samples
-
 
 def evaluate(run: Run, windows: Windows, recorder: Recorder, recording: Recording) -> StrategyResult:
     """Everything a run reports, from what was measured while it was driven."""
     scenario, controller, speed_profile = run.scenario, run.controller, run.speed_profile
-    excitation, trajectory, report = run.excitation, recording.trajectory, controller.report
-    ends, arrival = windows.ends, windows.arrival_speed
-    metrics = _by_window(recorder, ends)
-    fine_step, duration = excitation.grid.fine_step, float(ends[-1, 1])
-    samples, (squares, fourths), (power, most_power) = len(excitation.series["time"]), recorder.weighted, recorder.power
+    trajectory, report = recording.trajectory, controller.report
+    arrival, sums = windows.arrival_speed, _sums(run, windows, recorder)
+    metrics = window_metrics(sums)
     static = scenario.real_vehicle.static_loads
     planned, actuated = run.plan == "planned", controller.actuated
-    rough, whole = metrics["rough_road"], metrics["whole"]
-    travel = max(whole["front_deflection"]["peak"], whole["rear_deflection"]["peak"])
+    events: Mapping[str, float | bool | None] = {
+        **drive_events(sums, metrics, scenario),
+        "target_reached": _target_reached(scenario, arrival) if planned else None,
+        "limited_steps": trajectory.limited,
+        "qp_solves": report.solves,
+        "qp_fallbacks": report.fallbacks,
+        "qp_failures": report.failures,
+        "max_slack_mm": report.max_slack * 1000,
+        "ecu_most_iterations": report.most_iterations,
+        "ecu_clipped_values": report.clipped_values,
+        "ecu_held_commands": trajectory.held_commands,
+    }
 
     def columns(commands: slice) -> Mapping[str, FloatArray]:
         return dict(zip(METRIC_SIGNALS, recording.table(commands)[-len(METRIC_SIGNALS) :], strict=True))
@@ -45,29 +49,8 @@ def evaluate(run: Run, windows: Windows, recorder: Recorder, recording: Recordin
         strategy=controller.id,
         scenario=scenario,
         metrics=metrics,
-        comfort={
-            "weighted_rms": sqrt(squares / samples),
-            "vibration_dose": (fourths * fine_step) ** 0.25,  # (∫ a_w⁴ dt)^¼ (ISO 2631-1, 6.3.2)
-            "front_dynamic_load_coefficient": rough["front_tyre_load"]["rms"] / static[0],
-            "rear_dynamic_load_coefficient": rough["rear_tyre_load"]["rms"] / static[1],
-            "actuator_mean_power": power / duration,
-            "actuator_peak_power": most_power,
-        },
-        events={
-            **dict(zip(_AIRBORNE, (1000 * fine_step * time for time in recorder.airborne), strict=True)),
-            "stop_contact_ms": 1000 * fine_step * recorder.on_stops,
-            "target_reached": _target_reached(scenario, arrival) if planned else None,
-            "bump_complete": scenario.bump_left <= scenario.road.length if scenario.road.has_bump else None,
-            "travel_exceeded_mm": max(0.0, travel - scenario.mpc.deflection_limit) * 1000,
-            "limited_steps": trajectory.limited,
-            "qp_solves": report.solves,
-            "qp_fallbacks": report.fallbacks,
-            "qp_failures": report.failures,
-            "max_slack_mm": report.max_slack * 1000,
-            "ecu_most_iterations": report.most_iterations,
-            "ecu_clipped_values": report.clipped_values,
-            "ecu_held_commands": trajectory.held_commands,
-        },
+        comfort=comfort_metrics(sums, metrics, scenario),
+        events={key: events[key] for key in EVENTS},
         reference={
             "front_static_load": static[0],
             "rear_static_load": static[1],
@@ -79,29 +62,28 @@ def evaluate(run: Run, windows: Windows, recorder: Recorder, recording: Recordin
         stages=run.stages,
         travel_time=speed_profile.time_at(scenario.road.length),
         arrival_speed_kmh=arrival / KMH,
-        series=Series(excitation.series, columns, recording.car.fine),
+        series=Series(run.excitation.series, columns, recording.car.fine),
     )
 
 
-def _by_window(recorder: Recorder, ends: FloatArray) -> dict[str, dict[str, dict[str, float]]]:
-    """Return RMS and peak of METRIC_SIGNALS in WINDOWS; NaN in one that is empty, as where there is no bump."""
-    squares, peaks, times = recorder.integrals.tolist(), recorder.peaks.tolist(), (ends[:, 1] - ends[:, 0]).tolist()
-    squares[-1] = [sum(each) for each in zip(*squares, strict=True)]  # the whole, not what follows the bump
-    peaks[-1], times[-1] = [max(each) for each in zip(*peaks, strict=True)], sum(times)
-    return {
-        window: {
-            signal: {"rms": sqrt(square / time), "peak": square if isnan(square) else peak} if time else _NOTHING
-            for signal, square, peak in zip(METRIC_SIGNALS, *of_section, strict=True)
-        }
-        for window, time, *of_section in zip(WINDOWS, times, squares, peaks, strict=True)
-    }
-
-
-def mean_squares(a: FloatArray, b: FloatArray) -> FloatArray:
-    """Of METRIC_SIGNALS between samples a and b (signals, n): accelerations as lines, all else by trapezoids."""
-    squares = (a * a + b * b) / 2
-    squares[:_LINES] = (2 * squares[:_LINES] + (a * b)[:_LINES]) / 3
-    return squares
+def _sums(run: Run, windows: Windows, recorder: Recorder) -> Sums:
+    """Return what was summed while a run was driven; its unit of time is the fine step."""
+    grid = run.excitation.grid
+    (squares, fourths), (power, peak_power) = recorder.weighted, recorder.power
+    return Sums(
+        time_unit=grid.fine_step,
+        durations=(windows.ends[:, 1] - windows.ends[:, 0]).tolist(),
+        squares=recorder.integrals,
+        peaks=recorder.peaks,
+        weighted_squares=squares,
+        weighted_fourths=fourths,
+        weighted_samples=len(grid.series["time"]),
+        weighted_step=grid.fine_step,
+        power=power,
+        peak_power=peak_power,
+        airborne=recorder.airborne,
+        on_stops=recorder.on_stops,
+    )
 
 
 def rms_between(

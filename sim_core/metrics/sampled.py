@@ -1,124 +1,202 @@
-"""The metrics of signals that were sampled at any times: those of a recording, by the rules of a simulated run's.
+"""The sums that metrics follow from, of signals that were sampled at any times: those of a recording.
 
-Windows, trapezoids, the squares of accelerations, Wk and the comfort metrics are those of `sim_core.metrics.evaluate`.
-A metric whose signal is missing, or was not recorded throughout its window, is NaN.
+Two samples at one instant are the values before and after a jump, as in result files of Modelica tools. Between samples
+signals are straight lines.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import ceil, nan
 
 import numpy as np
 from scipy.signal import lfilter
 
 from sim_core.arrays import FloatArray
-from sim_core.catalogue import COMFORT, METRIC_SIGNALS
+from sim_core.catalogue import METRIC_SIGNALS
 from sim_core.metrics.comfort import weighting
-from sim_core.metrics.evaluate import mean_squares
+from sim_core.metrics.definition import Sums, mean_squares
 
-WEIGHTED_STEP = 1e-3  # longest of the weighting [s]: between samples a signal is straight
+WEIGHTED_STEP = 1e-3  # longest of the weighting [s]
+SNAP = 0.1  # of a sampling step: a section that ends so near to a sample ends there, as times of a file are rounded
+LIFTED = 1 - 1e-6  # of the static load: so much less than none is none, as loads of a file are rounded
+
 Span = tuple[float, float]  # first and last time [s]
+_ROWS = {key: row for row, key in enumerate(METRIC_SIGNALS)}
 
 
-def window_metrics(
-    signals: Mapping[str, FloatArray], windows: Mapping[str, Span | None]
-) -> dict[str, dict[str, dict[str, float]]]:
-    """RMS and peak of METRIC_SIGNALS in each window.
+def sampled_sums(
+    signals: Mapping[str, FloatArray], sections: Sequence[Span | None], static: Span, clearance: float | None
+) -> Sums:
+    """Return the sums of a recorded drive.
 
     Args:
-        signals: By the catalogue's names (samples,), `time` [s] ascending; one that is missing is NaN throughout.
-        windows: By name the first and last time [s]; None for one that was not recorded.
+        signals: By the catalogue's names (samples,), `time` [s] not descending; one that is missing is NaN throughout.
+        sections: First and last time of the rough road, the bump and what follows it [s]; None for one that was not
+            recorded.
+        static: Load of both tyres at rest [N].
+        clearance: Of the bump stops either way [m]; None without any.
 
     Example:
         >>> import numpy as np
         >>> signals = {key: np.full(3, np.nan) for key in METRIC_SIGNALS}
         >>> signals |= {"time": np.array([0.0, 1.0, 2.0]), "front_force": np.array([0.0, 3.0, 0.0])}
-        >>> window_metrics(signals, {"whole": (0.0, 2.0)})["whole"]["front_force"]["peak"]
-        3.0
+        >>> sums = sampled_sums(signals, [(0.0, 1.0), (1.0, 2.0), (2.0, 2.0)], (1.0, 1.0), None)
+        >>> float(sums.squares[0, 6]), float(sums.peaks[1, 6])
+        (4.5, 3.0)
     """
-    none = {key: {"rms": nan, "peak": nan} for key in METRIC_SIGNALS}
-    return {name: none if span is None else _in_window(signals, span) for name, span in windows.items()}
-
-
-def _in_window(signals: Mapping[str, FloatArray], span: Span) -> dict[str, dict[str, float]]:
-    time, table = _between(signals, METRIC_SIGNALS, span)
-    steps = np.diff(time)
-    rms = np.sqrt(mean_squares(table[:, :-1], table[:, 1:]) @ steps / steps.sum())
-    peaks = np.abs(table).max(axis=1)
-    return {
-        key: {"rms": one, "peak": highest}
-        for key, one, highest in zip(METRIC_SIGNALS, rms.tolist(), peaks.tolist(), strict=True)
-    }
-
-
-def comfort_metrics(
-    signals: Mapping[str, FloatArray], span: Span | None, rough: Mapping[str, Mapping[str, float]], static: Span
-) -> dict[str, float]:
-    """The metrics of comfort (catalogue.COMFORT).
-
-    Args:
-        signals: As of `window_metrics`.
-        span: First and last time of the whole run [s]; None where not all of it was recorded.
-        rough: The metrics of the rough road.
-        static: Load of both tyres at rest [N].
-    """
-    if span is None:
-        return dict.fromkeys(COMFORT, nan)
-    weighted, step = _weighted(signals, span)
-    time, (front, rear, front_force, rear_force) = _between(
-        signals, ("front_deflection", "rear_deflection", "front_force", "rear_force"), span
+    time, table = signals["time"], np.array([signals[key] for key in METRIC_SIGNALS])
+    spans = [None if span is None else (_snapped(time, span[0]), _snapped(time, span[1])) for span in sections]
+    parts = [_in_section(time, table, span) for span in spans]
+    whole = None if spans[0] is None or None in spans or spans[-1] is None else (spans[0][0], spans[-1][1])
+    power, peak_power = _power(time, table, whole)
+    weighted, step = _weighted(time, table[_ROWS["body_acceleration"]], whole)
+    return Sums(
+        time_unit=1.0,
+        durations=[nan if span is None else span[1] - span[0] for span in spans],
+        squares=np.array([squares for squares, _ in parts]),
+        peaks=np.array([peaks for _, peaks in parts]),
+        weighted_squares=float(np.sum(weighted**2)),
+        weighted_fourths=float(np.sum(weighted**4)),
+        weighted_samples=len(weighted),
+        weighted_step=step,
+        power=power,
+        peak_power=peak_power,
+        airborne=_airborne(time, table, whole, static),
+        on_stops=_on_stops(time, table, whole, clearance),
     )
-    power = np.abs(front_force * np.gradient(front, time)) + np.abs(rear_force * np.gradient(rear, time))
-    return {
-        "weighted_rms": float(np.sqrt(np.mean(weighted**2))),
-        "vibration_dose": float((np.sum(weighted**4) * step) ** 0.25),  # (∫ a_w⁴ dt)^¼ (ISO 2631-1, 6.3.2)
-        "front_dynamic_load_coefficient": rough["front_tyre_load"]["rms"] / static[0],
-        "rear_dynamic_load_coefficient": rough["rear_tyre_load"]["rms"] / static[1],
-        "actuator_mean_power": float(np.trapezoid(power, time) / (span[1] - span[0])),
-        "actuator_peak_power": float(power.max()),
-    }
 
 
-def airborne_ms(signals: Mapping[str, FloatArray], span: Span | None, static: Span) -> dict[str, float]:
-    """Time with either tyre, the front and the rear one off the road [ms]: without the load that it has at rest."""
-    keys = "airborne_ms", "front_airborne_ms", "rear_airborne_ms"
+def _snapped(time: FloatArray, instant: float) -> float:
+    """Return the sample's instant that is nearest to this one where it is near, else this one [s]."""
+    after = time[np.clip(np.searchsorted(time, instant), 1, len(time) - 1)]
+    before = time[max(0, int(np.searchsorted(time, instant, "right")) - 1)]
+    nearest = float(before if instant - before < after - instant else after)
+    return nearest if abs(nearest - instant) <= SNAP * (after - before) else instant
+
+
+def _cut(time: FloatArray, rows: FloatArray, span: Span) -> tuple[FloatArray, FloatArray]:
+    """Return the samples of a span and its two ends (n,) [s], with the signals there (signals, n).
+
+    Where a signal jumps at an end, the value that lies within the span counts.
+    """
+    first = int(np.clip(np.searchsorted(time, span[0], "right") - 1, 0, len(time) - 2))
+    last = int(np.clip(np.searchsorted(time, span[1], "left"), first + 1, len(time) - 1))
+    at = np.concatenate([[span[0]], time[first + 1 : last], [span[1]]])
+    begin, end = (_on_line(time, rows, sample, instant) for sample, instant in ((first, span[0]), (last - 1, span[1])))
+    return at, np.column_stack([begin, rows[:, first + 1 : last], end])
+
+
+def _on_line(time: FloatArray, rows: FloatArray, sample: int, instant: float) -> FloatArray:
+    """Return the signals at an instant between a sample and the next one (signals,)."""
+    step = time[sample + 1] - time[sample]
+    share = float(np.clip((instant - time[sample]) / step, 0.0, 1.0)) if step > 0 else 0.0
+    a, b = rows[:, sample], rows[:, sample + 1]
+    there: FloatArray = a if share == 0 else b if share == 1 else (1 - share) * a + share * b
+    return there
+
+
+def _in_section(time: FloatArray, table: FloatArray, span: Span | None) -> tuple[FloatArray, FloatArray]:
+    """Return the integrals of METRIC_SIGNALS' squares, and their peaks (8,); of no time both are 0."""
     if span is None:
-        return dict.fromkeys(keys, nan)
-    time, loads = _between(signals, ("front_tyre_load", "rear_tyre_load"), span)
-    off = np.where(np.isnan(loads), nan, loads <= -np.array(static)[:, None])
-    return {
-        key: 1000 * float(np.trapezoid(each, time)) for key, each in zip(keys, (off.max(axis=0), *off), strict=True)
-    }
+        return np.full(len(table), nan), np.full(len(table), nan)
+    if span[1] <= span[0]:
+        return np.zeros(len(table)), np.zeros(len(table))
+    at, values = _cut(time, table, span)
+    return mean_squares(values[:, :-1], values[:, 1:]) @ np.diff(at), np.abs(values).max(axis=1)
 
 
-def stop_contact_ms(signals: Mapping[str, FloatArray], span: Span | None, clearance: float | None) -> float:
-    """Time with either suspension beyond the clearance [m] of its bump stops [ms], None where it has none."""
+def _power(time: FloatArray, table: FloatArray, span: Span | None) -> tuple[float, float]:
+    """Return the integral of both actuators' |u·ḋ| [J], and its peak [W]."""
+    if span is None:
+        return nan, nan
+    at, rows = _cut(time, table, span)
+    deflections, forces = (
+        rows[[_ROWS[f"{axle}_{kind}"] for axle in ("front", "rear")]] for kind in ("deflection", "force")
+    )
+    power = np.abs(forces * np.array([_rate(each, at) for each in deflections])).sum(axis=0)
+    return float(np.trapezoid(power, at)), float(power.max())
+
+
+def _rate(values: FloatArray, time: FloatArray) -> FloatArray:
+    """Return the rate of change (n,), from one side alone at both ends and where two samples stand at one instant."""
+    step = np.diff(time)
+    moves = step > 0
+    slope = np.divide(np.diff(values), step, out=np.zeros_like(step), where=moves)
+    rate: FloatArray = np.append(0.0, slope) + np.append(slope, 0.0)  # where only one of them is there, that one
+    inner = 1 + np.flatnonzero(moves[:-1] & moves[1:])
+    before, after = step[inner - 1], step[inner]
+    rate[inner] = (after * slope[inner - 1] + before * slope[inner]) / (before + after)
+    middle = (time[:-1] + time[1:]) / 2
+    starts = np.flatnonzero(moves & np.append(True, ~moves[:-1]))
+    ends = np.flatnonzero(moves & np.append(~moves[1:], True))
+    for intervals, towards in ((starts, 1), (ends, -1)):
+        far = intervals + 2 * towards
+        intervals = intervals[(far >= 0) & (far < len(step))]
+        near = intervals[:, None] + towards * np.arange(3)
+        near = near[moves[near].all(axis=1)]
+        node = near[:, 0] + (towards < 0)
+        rate[node] = _parabola(middle[near], slope[near], time[node])
+    return rate
+
+
+def _parabola(x: FloatArray, y: FloatArray, at: FloatArray) -> FloatArray:
+    """Return the parabolas through three points each (n, 3), there (n,)."""
+    total = np.zeros(len(at))
+    for one, two, three in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        share = (at - x[:, two]) * (at - x[:, three]) / ((x[:, one] - x[:, two]) * (x[:, one] - x[:, three]))
+        total += share * y[:, one]
+    return total
+
+
+def _airborne(time: FloatArray, table: FloatArray, span: Span | None, static: Span) -> tuple[float, ...]:
+    """Return for how long any tyre, the front and the rear one was without the load that it has at rest [s]."""
+    if span is None:
+        return nan, nan, nan
+    at, rows = _cut(time, table, span)
+    loads = rows[[_ROWS["front_tyre_load"], _ROWS["rear_tyre_load"]]]
+    off = np.where(np.isnan(loads), nan, loads <= -LIFTED * np.array(static)[:, None])
+    return tuple(float(np.trapezoid(each, at)) for each in (off.max(axis=0), *off))
+
+
+def _on_stops(time: FloatArray, table: FloatArray, span: Span | None, clearance: float | None) -> float:
+    """Return for how long either suspension was beyond the clearance of its bump stops [s]."""
     if clearance is None:
         return 0.0
     if span is None:
         return nan
-    time, deflections = _between(signals, ("front_deflection", "rear_deflection"), span)
+    at, rows = _cut(time, table, span)
+    deflections = rows[[_ROWS["front_deflection"], _ROWS["rear_deflection"]]]
     beyond = np.where(np.isnan(deflections), nan, np.abs(deflections) > clearance)
-    return 1000 * float(np.trapezoid(beyond.max(axis=0), time))
+    return float(np.trapezoid(beyond.max(axis=0), at))
 
 
-def _between(signals: Mapping[str, FloatArray], keys: tuple[str, ...], span: Span) -> tuple[FloatArray, FloatArray]:
-    """The times of a span with both ends (n,) [s], and those signals there (signals, n)."""
-    time = signals["time"]
-    inside = time[(time > span[0]) & (time < span[1])]
-    at = np.concatenate([[span[0]], inside, [span[1]]])
-    return at, np.array([np.interp(at, time, signals[key]) for key in keys])
+def _weighted(time: FloatArray, acceleration: FloatArray, span: Span | None) -> tuple[FloatArray, float]:
+    """Return the acceleration through Wk (n,) [m/s^2], and the step between its samples [s].
 
-
-def _weighted(signals: Mapping[str, FloatArray], span: Span) -> tuple[FloatArray, float]:
-    """The acceleration through Wk (n,) [m/s^2], and the step between its samples [s]."""
-    time, acceleration = signals["time"], signals["body_acceleration"]
-    steps = ceil((span[1] - span[0]) / min(WEIGHTED_STEP, float(np.median(np.diff(time)))))
-    step = (span[1] - span[0]) / steps
-    even = np.interp(span[0] + step * np.arange(steps + 1), time, acceleration)
+    Its mean is taken off first: Wk passes nothing that stands still, but a filter that starts from rest would ring with
+    whatever lies in the signal as gravity or as an offset.
+    """
+    if span is None:
+        return np.full(1, nan), 1.0
+    at, (values,) = _cut(time, acceleration[None], span)
+    values = values - np.trapezoid(values, at) / (span[1] - span[0])
+    usual = _usual_step(at)
+    step = usual / ceil(usual / WEIGHTED_STEP - SNAP)
+    count = int((span[1] - span[0]) / step + SNAP)
+    middle = span[0] + step * (np.arange(count) + 0.5)
+    # A line through two places within each step: a jump at its end stays out of it.
+    early, late = (np.interp(middle + share * step, at, values) for share in (-0.25, 0.25))
+    begin, end = 1.5 * early - 0.5 * late, 1.5 * late - 0.5 * early
     parts = weighting(step).reshape(3, 2, -1)  # onward, begin and end, each real and imaginary, of every mode
-    onward, begin, end = parts[:, 0] + 1j * parts[:, 1]
-    total = np.zeros(steps + 1)
-    for turn, first, last in zip(onward, begin, end, strict=True):
-        driven = np.concatenate([[0.0], first * even[:-1] + last * even[1:]])
+    total = np.zeros(count + 1)
+    for turn, first, last in zip(*(parts[:, 0] + 1j * parts[:, 1]), strict=True):
+        driven = np.concatenate([[0.0], first * begin + last * end])
         total += 2 * lfilter([1.0], [1.0, -turn], driven).real
     return total, step
+
+
+def _usual_step(time: FloatArray) -> float:
+    """Return the usual step between samples [s]: the mean where all are alike, as a file rounds single ones."""
+    steps = np.diff(time)
+    steps = steps[steps > 0][:-1]  # the last one ends with the road, not with a sample
+    usual, mean = float(np.median(steps)), float(np.mean(steps))
+    return mean if abs(mean - usual) < SNAP * usual else usual

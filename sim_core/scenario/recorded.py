@@ -13,7 +13,6 @@ from sim_core.catalogue import SIGNALS
 from sim_core.scenario.measured import ID_LENGTH, ID_PATTERN
 
 PREFIX = "recording:"
-REFERENCES = ("passive", "speed_only", "skyhook", "lqr")  # what it may be like; each is quickly simulated
 LONGEST = 5000.0  # [m]
 NAME_PATTERN = f"^{PREFIX}{ID_PATTERN.removeprefix('^')}"
 

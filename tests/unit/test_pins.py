@@ -11,7 +11,7 @@ import pytest
 from pyarrow import parquet
 
 from backend.runs import exports, pins
-from backend.runs.series import ROWS, SamplingHints, SeriesArray, decimate, pack
+from backend.runs.series import ROWS, SamplingHints, SeriesArray, decimate, pack, pack_all
 from sim_core import Bump, Road, Scenario, Speed, __version__, simulate
 from sim_core.catalogue import SIGNALS
 
@@ -40,7 +40,7 @@ def export(**change: Any) -> exports.Export:
 def test_a_pin_is_every_sample_bit_for_bit(pinned: dict[str, bytes], stages: dict[str, SamplingHints]) -> None:
     opened = pins.opened(pinned, stages, None)
     for name, array in opened.items():
-        np.testing.assert_array_equal(array, pack(simulate(SCENARIO, name)))
+        np.testing.assert_array_equal(array, pack_all(simulate(SCENARIO, name)))
         assert array.dtype == np.float32
 
 
@@ -72,7 +72,8 @@ def test_another_catalogue_reads_what_it_knows(stages: dict[str, SamplingHints],
     (array,) = pins.opened({"lv": old}, stages, points).values()
     shared = [key for key in SIGNALS if key in signals]
     rows = [ROWS[key] for key in shared]
-    expected = decimate(pack(simulate(SCENARIO, "lv"))[rows], points, stages["lv"])
+    driven = (pack_all if points is None else pack)(simulate(SCENARIO, "lv"))
+    expected = decimate(driven[rows], points, stages["lv"])
     np.testing.assert_array_equal(array[rows], expected)
     assert np.isnan(array[[ROWS["rear_force"], ROWS["brake_pressure"]]]).all()
 

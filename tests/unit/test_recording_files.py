@@ -36,10 +36,16 @@ def test_a_slower_signal_is_straight_between_its_values_and_a_gap_is_none() -> N
     assert any("Gaps: 1, the longest 0.2 s, the first before line 33" in warning for warning in found.warnings)
 
 
+def test_two_samples_at_one_instant_are_a_jump() -> None:
+    found = read(file(*ROWS[:20], ROWS[19].replace(",", ",7"), *ROWS[20:]), {})
+    assert found.drive.signals()["time"][19] == found.drive.signals()["time"][20]
+    assert "Instants with two samples: 1, taken as the values before and after a jump" in found.warnings
+
+
 def test_doubts_are_said() -> None:
     rows = [f"{0.01 * n:.2f},{9.8 + 0.1 * (n % 2)},{500 * (-1) ** n}" for n in range(40)]
     said = read(file(*rows, head="time [s],body_acceleration [m/s^2],front_deflection [cm]"), {}).warnings
-    assert any("is gravity in it?" in each for each in said)
+    assert any("gravity is in it" in each for each in said)
     assert any("reaches 5 m: is its unit right?" in each for each in said)
 
 
@@ -55,7 +61,7 @@ def test_doubts_are_said() -> None:
         (file(*ROWS, head="time [s],t [s]"), 1, "are the same signal"),
         (file(*ROWS[:5]), 6, "10 samples at least"),
         (file(*ROWS[:20], "0.05,1", *ROWS[21:]), 22, "The time goes back"),
-        (file(*ROWS[:20], ROWS[19]), 22, "The time stands still"),
+        (file(*ROWS[:20], ROWS[19], ROWS[19]), 23, "The time stands still"),
         (file(*ROWS[:20], "nan,1"), 22, "The time is missing"),
         (file(*ROWS[:20], "0.2,inf"), 22, "is not finite"),
         (file(*ROWS[:20], "0.2,=1+1"), 22, "A value of column 2, body_acceleration [m/s^2], is not a number"),

@@ -83,5 +83,5 @@ def beside(
         metrics=[metric for metric, value in of_recording.figures().items() if value is not None],
         curves={key: each for key, each in curves.items() if each["rms"] is not None},
         units={key: unit for key, (_, unit) in services.names.signals.items()},
-        said=[*drive["warnings"], *(of_recording.recording or {})["notes"]],
+        said=list(dict.fromkeys([*drive["warnings"], *(of_recording.recording or {})["notes"]])),
     )

@@ -1,0 +1,62 @@
+"""Distance and time of a recording, from whichever of time, position and speed it has."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.errors import RidelabError
+from sim_core.scenario.parts import KMH
+
+SLOWEST = 0.1  # a recorded speed below counts as this where it gives the time [m/s]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Track:
+    """Where a recording was when, from any zero.
+
+    Attributes:
+        distance: Not descending (m,) [m].
+        time: Not descending (m,) [s].
+        clocked: The distance is of the recorder's clock: a scale of the one is a scale of the other.
+        timed: The time, or the speed that gives it, was recorded.
+        notes: What both come from, in words.
+    """
+
+    distance: FloatArray
+    time: FloatArray
+    clocked: bool
+    timed: bool
+    notes: tuple[str, ...] = ()
+
+
+def track_of(signals: Mapping[str, FloatArray], initial: float) -> Track:
+    """From whichever of time, position and speed there are; `initial` is the scenario's speed [m/s]."""
+    time, position, speed = (signals.get(key) for key in ("time", "position", "speed"))
+    if time is not None and position is not None:
+        return Track(distance=position, time=time, clocked=False, timed=True)
+    assumed = f"It is taken as driven at the initial speed, {initial / KMH:g} km/h: it has no speed"
+    if speed is not None:
+        order = np.arange(len(speed))
+        there = np.isfinite(speed)
+        speed = np.interp(order, order[there], speed[there])
+    if time is not None:
+        if speed is None:
+            return Track(distance=initial * time, time=time, clocked=True, timed=True, notes=(assumed,))
+        distance = _integral(np.maximum(speed, 0.0), time)
+        return Track(
+            distance=distance, time=time, clocked=True, timed=True, notes=("Its distance is its speed over its time",)
+        )
+    if position is None:
+        raise RidelabError("A recording has a time or a distance")
+    if speed is None:
+        return Track(distance=position, time=position / initial, clocked=True, timed=False, notes=(assumed,))
+    each = 1 / np.maximum(speed, SLOWEST)
+    time = _integral(each, position)
+    return Track(distance=position, time=time, clocked=True, timed=True, notes=("Its time follows from its speed",))
+
+
+def _integral(values: FloatArray, over: FloatArray) -> FloatArray:
+    """From the first sample on, by trapezoids (n,)."""
+    return np.concatenate([[0.0], np.cumsum((values[1:] + values[:-1]) / 2 * np.diff(over))])
