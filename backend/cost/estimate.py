@@ -191,10 +191,10 @@ def _slowing(
 
 def work(scenario: Scenario, strategy: type[Controller], time: float, expected: LimitShares) -> dict[str, float]:
     """How many of each unit of `SECONDS` a run has, given its time over the road [s]."""
-    mpc, by_ecu = scenario.mpc, issubclass(strategy, EcuController)
+    by_ecu, controller = issubclass(strategy, EcuController), strategy().for_scenario(scenario)
     counts = {"run": 1.0, "fine steps": time / _fine_step(scenario, strategy)}
     counts["uncached steps"] = max(0.0, counts["fine steps"] - CACHED_STEPS)
-    vehicle, dampers = scenario.real_vehicle, run_dampers(scenario, strategy().for_scenario(scenario))
+    vehicle, dampers = scenario.real_vehicle, run_dampers(scenario, controller)
     if not is_linear(vehicle, dampers):
         actuator = scenario.actuator if strategy.actuated else Actuator()
         short = substeps(vehicle, actuator, dampers, _fine_step(scenario, strategy))
@@ -203,7 +203,7 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, expected: 
         counts["plan"] = 1.0
     if not strategy.actuated:
         return counts
-    steps = time / mpc.sample_time
+    steps = time / scenario.mpc.sample_time
     # An ECU checks its limits in every step, and its own units say what that takes.
     limited = 0.0 if by_ecu else expected.limited * steps
     if strategy.linear_law is Controller.linear_law:  # asked in every step
@@ -212,9 +212,10 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, expected: 
     if issubclass(strategy, DampingController):
         return counts
     counts["design"] = 1.0
-    if not issubclass(strategy, PredictiveController):
+    if not isinstance(controller, PredictiveController):
         return counts
-    checks, inputs = 2 * (mpc.control_horizon + mpc.prediction_horizon), 3 * mpc.prediction_horizon + 10
+    horizon, moves = controller.prediction_horizon, controller.control_horizon
+    checks, inputs = 2 * (moves + horizon), 3 * horizon + 10
     counts["design entries"] = checks * inputs**2
     if by_ecu:
         return counts | {
@@ -224,14 +225,14 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, expected: 
             "ECU entries": steps * checks * inputs,
             "ECU iterations": 0.5 * steps * checks * scenario.hil.iterations,
         }
-    unknowns, solved = 2 * mpc.control_horizon + 2, expected.solved * steps
+    unknowns, solved = 2 * moves + 2, expected.solved * steps
     counts |= {
         "check entries": (1.3 * steps + 8 * limited) * checks * inputs,
         "QPs": solved,
         "QP entries": solved * unknowns * inputs,
     }
-    if mpc.solver == "osqp":
-        counts["OSQP"] = solved * osqp_effort(expected.iterations, unknowns, 4 * mpc.prediction_horizon)
+    if controller.solver == "osqp":
+        counts["OSQP"] = solved * osqp_effort(expected.iterations, unknowns, 4 * horizon)
     return counts
 
 

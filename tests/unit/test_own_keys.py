@@ -2,6 +2,8 @@
 
 import pytest
 
+from backend.cost.binding_limits import LimitShares
+from backend.cost.estimate import work
 from backend.own.description import described, stand_in
 from sim_core import Controller, check_controller, load_controllers, simulate
 from sim_core.scenario import Bump, Estimation, Lqr, Mpc, Road, Scenario, dotted
@@ -66,7 +68,7 @@ class Scenarios(Looks):
 class Horizon(PredictiveController):
     "Is an MPC that always looks ahead."
     id, label = "horizon", "Horizon"
-    preview = "lookahead"
+    preview, prediction_horizon = "lookahead", 25
     def weights(self, stage):
         return (1, 1, 1)
 """
@@ -105,3 +107,11 @@ def test_who_looks_ahead_has_the_sensors_errors_in_its_key_however_it_says_so(
         assert results[-1] not in results[:-1], name
         assert all(values_read(changed, each) != key for each, key in zip(known, keys, strict=True)), name
         assert all(any(is_within(name, part) for part in reads(each)) for each in known)
+
+
+def test_whether_a_run_is_too_expensive_follows_from_what_its_key_has(own_ways: dict[str, type[Controller]]) -> None:
+    """Its horizon is its own: the scenario's is not in the key, and a failure would be stored for all of them."""
+    kind, shares = stand_in(described(own_ways["horizon"])), LimitShares(limited=1.0)
+    longer = BASE.model_copy(update={"mpc": Mpc(preview="none", prediction_horizon=200)})
+    assert values_read(longer, kind) == values_read(BASE, kind)
+    assert work(longer, kind, 5.0, shares) == work(BASE, kind, 5.0, shares)
