@@ -37,6 +37,16 @@ ALIASES: Mapping[str, str] = {
     "deg/s": "°/s",
     "deg/s^2": "°/s^2",
     "inch": "in",
+    "inches": "in",
+    "foot": "ft",
+    "feet": "ft",
+    "metre": "m",
+    "metres": "m",
+    "meter": "m",
+    "meters": "m",
+    "sec": "s",
+    "second": "s",
+    "seconds": "s",
 }
 # Stands in a unit's place where a field is true or false.
 SWITCH = "on/off"

@@ -21,9 +21,13 @@ def quantity(unit: str, *, soft: tuple[float, float], ge: float, le: float, show
     return Field(ge=ge, le=le, json_schema_extra=extra)
 
 
-def field(default: Any, title: str, description: str) -> Any:
-    """A field of a part; `...` has no default."""
-    return Field(default, title=title, description=description)
+def field(default: Any, title: str, description: str, *, note: str | None = None) -> Any:
+    """A field of a part; `...` has no default.
+
+    `note` stands beside the title in forms, where a value may be misunderstood without it.
+    """
+    extra: JsonDict = {} if note is None else {"note": note}
+    return Field(default, title=title, description=description, json_schema_extra=extra)
 
 
 # In a field's type: it is younger than stored results, and at its default no part of what a result is known by.

@@ -12,6 +12,7 @@ Damping = Annotated[float, quantity("N·s/m", soft=(500, 10_000), ge=10, le=500_
 TyreStiffness = Annotated[float, quantity("N/m", soft=(100_000, 500_000), ge=10_000, le=20_000_000)]
 Clearance = Annotated[float | None, quantity("m", soft=(0.04, 0.12), ge=0.005, le=1, shown="mm")]
 StopStiffness = Annotated[float, quantity("N/m", soft=(50_000, 500_000), ge=1000, le=5_000_000)]
+ONE_TRACK, ONE_WHEEL = "one track of two", "one wheel"  # not the whole car's, not both wheels'
 LinkShare = Annotated[float, quantity("1", soft=(0, 1), ge=-1, le=3)]
 
 
@@ -19,13 +20,17 @@ class Vehicle(Part):
     """Half-car model: body with heave and pitch, front and rear wheel (Table 2)."""
 
     body_mass: Annotated[float, quantity("kg", soft=(300, 2500), ge=50, le=50_000)] = field(
-        1270, "Body mass", "Sprung mass m_b."
+        1270, "Body mass", "Sprung mass m_b of one track, half of the whole car's.", note=ONE_TRACK
     )
     pitch_inertia: Annotated[float, quantity("kg·m^2", soft=(400, 4000), ge=10, le=500_000)] = field(
-        1536.7, "Pitch inertia", "Body inertia about the pitch axis I_yy."
+        1536.7, "Pitch inertia", "Body inertia about the pitch axis I_yy, half of the whole car's.", note=ONE_TRACK
     )
-    front_wheel_mass: WheelMass = field(66.3, "Front wheel mass", "Unsprung mass m_w1.")
-    rear_wheel_mass: WheelMass = field(66.3, "Rear wheel mass", "Unsprung mass m_w2.")
+    front_wheel_mass: WheelMass = field(
+        66.3, "Front wheel mass", "Unsprung mass m_w1 of one wheel, half of the axle's.", note=ONE_WHEEL
+    )
+    rear_wheel_mass: WheelMass = field(
+        66.3, "Rear wheel mass", "Unsprung mass m_w2 of one wheel, half of the axle's.", note=ONE_WHEEL
+    )
     cg_to_front: Annotated[float, quantity("m", soft=(0.8, 2), ge=0.2, le=10)] = field(
         1.015, "Centre of gravity to front axle", "Distance a."
     )
@@ -35,12 +40,22 @@ class Vehicle(Part):
     cg_height: CgHeight = field(
         0.54, "Height of the centre of gravity", "Arm of the braking force on the body h_cg (ours)."
     )
-    front_spring: Spring = field(27_000, "Front spring", "Suspension stiffness k_s1.")
-    rear_spring: Spring = field(30_000, "Rear spring", "Suspension stiffness k_s2.")
-    front_damping: Damping = field(6000, "Front damper", "Damping C_s1.")
-    rear_damping: Damping = field(6000, "Rear damper", "Damping C_s2.")
-    front_tyre_stiffness: TyreStiffness = field(268_000, "Front tyre stiffness", "Vertical stiffness k_u1.")
-    rear_tyre_stiffness: TyreStiffness = field(268_000, "Rear tyre stiffness", "Vertical stiffness k_u2.")
+    front_spring: Spring = field(
+        27_000, "Front spring", "Suspension stiffness k_s1 of one wheel, half of the axle's.", note=ONE_WHEEL
+    )
+    rear_spring: Spring = field(
+        30_000, "Rear spring", "Suspension stiffness k_s2 of one wheel, half of the axle's.", note=ONE_WHEEL
+    )
+    front_damping: Damping = field(
+        6000, "Front damper", "Damping C_s1 of one wheel, half of the axle's.", note=ONE_WHEEL
+    )
+    rear_damping: Damping = field(6000, "Rear damper", "Damping C_s2 of one wheel, half of the axle's.", note=ONE_WHEEL)
+    front_tyre_stiffness: TyreStiffness = field(
+        268_000, "Front tyre stiffness", "Vertical stiffness k_u1 of one tyre.", note=ONE_WHEEL
+    )
+    rear_tyre_stiffness: TyreStiffness = field(
+        268_000, "Rear tyre stiffness", "Vertical stiffness k_u2 of one tyre.", note=ONE_WHEEL
+    )
     rebound_ratio: Annotated[float, quantity("1", soft=(1, 3), ge=0.1, le=10), ADDED] = field(
         1,
         "Rebound over compression",

@@ -1,22 +1,11 @@
 """What-if: drag, type, undo, reset; wrong values; strategies and baseline."""
 
 import re
-from math import sin
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page
 
 from tests.browser.dashboard import THOROUGH, Dashboard, expect, expect_new_address
-
-
-def open_with_road(dashboard: Dashboard, file: Path) -> tuple[Page, str]:
-    """Opens the first run and a road's file in its form; the page, and its address before."""
-    dashboard.open()
-    page, address = dashboard.page, dashboard.page.url
-    page.get_by_role("button", name="Road", exact=True).click()
-    page.get_by_label("Road file").set_input_files(file)
-    return page, address
 
 
 def test_dragging_is_live_the_release_exact_and_both_are_compared_with_before(dashboard: Dashboard) -> None:
@@ -284,39 +273,3 @@ def test_baseline_and_strategies_are_chosen_by_clicks(dashboard: Dashboard) -> N
     expect(dashboard.page.get_by_role("heading", name="No strategy chosen")).to_be_visible()
     dashboard.page.get_by_role("button", name="Show all strategies").click()
     expect(panel).to_have_attribute("data-drawn", "9")
-
-
-def test_a_table_of_ones_own_is_mapped_looked_at_and_driven_over_the_bump_one_chooses(
-    dashboard: Dashboard, tmp_path: Path
-) -> None:
-    """No header, semicolons, decimal commas, centimetres, two tracks, two humps; `make drill` has OpenCRG."""
-    heights = [(x, 6 * (20 < x < 24) + 9 * (80 < x < 85) + 0.2 * sin(x)) for x in (0.2 * step for step in range(601))]
-    rows = [f"{x:.1f};ok;{z:.2f};{z:.2f}".replace(".", ",") for x, z in heights]
-    (tmp_path / "mine.txt").write_text("\n".join(rows), encoding="utf-8")
-    page, address = open_with_road(dashboard, tmp_path / "mine.txt")
-    mapping = page.get_by_role("dialog", name="Columns of mine.txt")
-    mapping.get_by_label("Column 2 is").select_option("left out")
-    expect(mapping.get_by_role("alert")).to_contain_text("One column is the distance")
-    for column, role, unit in ((1, "Distance", "m"), (3, "Left height", "cm"), (4, "Right height", "cm")):
-        mapping.get_by_label(f"Column {column} is").select_option(role)
-        mapping.get_by_label(f"Unit of Column {column}").select_option(unit)
-    expect(mapping.get_by_role("img", name="The road as it is read")).to_contain_text("mm from the lowest")
-    expect(mapping.get_by_label("Decimal commas")).to_be_checked()
-    if THOROUGH:
-        dashboard.expect_accessible(mapping)
-    mapping.get_by_role("button", name="Drive this road").click()
-    expect(mapping).to_have_count(0)
-    page.get_by_text(re.compile(r"^\d remarks$")).click()
-    expect(page.get_by_text("The mean of left and right track is taken")).to_be_visible()
-    choice = page.get_by_label("Bump that counts")
-    expect(choice.locator("option:checked")).to_contain_text("at 80 m")
-    expect_new_address(page, address)
-    choice.select_option(index=1)
-    expect(dashboard.entry("Position")).to_have_value(re.compile(r"^(19|20)"))
-    row = page.locator("[data-pointer='/road/profile']")
-    expect(row.get_by_role("img", name="Displacement PSD over the road classes of ISO 8608")).to_be_visible()
-    expect(
-        row.get_by_text(re.compile(r"IRI [\d.]+ m/km \(left [\d.]+, right [\d.]+\)\. ISO 8608 class"))
-    ).to_be_visible()
-    if THOROUGH:
-        dashboard.expect_accessible(row)

@@ -8,7 +8,7 @@ import pytest
 
 from tests.browser.dashboard import Dashboard, expect, expect_new_address
 from tests.browser.server import Server
-from tests.browser.test_editing import open_with_road
+from tests.browser.test_measured_roads import open_with_road
 from tests.browser.test_roads import PEAK
 from tests.browser.test_tuner import expect_state, stored, submit
 from tests.servers.process import ROOT

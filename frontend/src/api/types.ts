@@ -3,6 +3,7 @@
 import type { Series } from "./decode";
 import type { JsonObject, JsonValue } from "./json";
 import type {
+  CautionAnswer as Caution,
   CharacteristicsAnswer as Characteristics,
   CreatedRoadsRun,
   Link as LinkAnswer,
@@ -21,6 +22,7 @@ export type * from "./json";
 export type * from "./schema.gen";
 export type {
   AttributionAnswer as Attribution,
+  CautionAnswer as Caution,
   CharacteristicsAnswer as Characteristics,
   CombinationRow as Combination,
   Counts as VerdictCounts,
@@ -55,6 +57,8 @@ export interface RunAnswer {
   readonly scenario: Scenario;
   /** What the vehicle’s values come to; services before core 0.4.0 do not say it. */
   readonly characteristics?: Characteristics;
+  /** What the vehicle has that cars hardly have; services before core 0.5.0 do not say it. */
+  readonly cautions?: readonly Caution[];
   readonly strategies: Readonly<Record<StrategyId, Summary | Failure>>;
 }
 export type RoadsAnswer = RoadsRun | CreatedRoadsRun;

@@ -2,6 +2,7 @@
 
 import { sameValue } from "../scenario/path";
 import type {
+  Caution,
   Characteristics,
   Failure,
   LiveAnswer,
@@ -30,6 +31,8 @@ export interface Failed {
   readonly message: string;
 }
 
+const NO_CAUTIONS: readonly Caution[] = [];
+
 export interface Result {
   readonly source: "exact" | "live";
   readonly runId: string | null;
@@ -37,6 +40,8 @@ export interface Result {
   readonly scenario: Scenario;
   /** What the vehicle’s values come to. */
   readonly characteristics: Characteristics | undefined;
+  /** What the vehicle has that cars hardly have. */
+  readonly cautions: readonly Caution[];
   readonly summaries: Readonly<Record<StrategyId, Summary>>;
   readonly failed: readonly Failed[];
   /** What several roads say: then the summaries are means, and curves and events are the first road's. */
@@ -75,6 +80,7 @@ export function fromRun(run: Run, { series, missing }: Histories, roundTripMs: n
     coreVersion: run.core_version,
     scenario: run.scenario,
     characteristics: run.characteristics,
+    cautions: run.cautions ?? NO_CAUTIONS,
     ...split(run.strategies),
     over: run.over,
     series,
@@ -91,6 +97,7 @@ export function fromLive(answer: LiveAnswer, roundTripMs: number): Result {
     coreVersion: answer.core_version,
     scenario: answer.scenario,
     characteristics: answer.characteristics,
+    cautions: answer.cautions ?? NO_CAUTIONS,
     summaries,
     failed,
     over: null,

@@ -10,6 +10,8 @@ interface Base {
   readonly description: string;
   /** The paper's value. */
   readonly paperValue: JsonValue;
+  /** What stands beside the title, where a value may be misunderstood without it. */
+  readonly note?: string;
   /** Words, and phrases, that people may look for it by beside its title and help. */
   readonly searchWords?: readonly string[];
 }
@@ -124,6 +126,7 @@ class Reader {
       title: text(raw.title) || (node.properties ? humanise(name) : text(node.title) || humanise(name)),
       description: text(node.description),
       paperValue,
+      note: text(node.note),
       searchWords: list(node.search_words).map(text),
     };
     if (isObject(node.properties)) return this.group(node, pointer, base.title, paperValue);

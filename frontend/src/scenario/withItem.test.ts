@@ -8,9 +8,13 @@ import { onRoad, withItem } from "./withItem";
 const PAPER = { road: { profile: null, length: 150, seed: 1, bump: { height: 0.1, width: 4, start: 100, count: 3 } } };
 const ROAD = { id: "A".repeat(22), length: 180, bumps: [] };
 
-test("the road ends where what was measured does; the scenario's own bump stays and is added", () => {
-  expect(onRoad(PAPER, ROAD)).toEqual({ road: { ...PAPER.road, profile: ROAD.id, length: 180 } });
-});
+test.each([180, 60])(
+  "a measured road without a bump has none, and ends where what was measured does: %d m",
+  (length) => {
+    const road = { ...PAPER.road, profile: ROAD.id, length, bump: { ...PAPER.road.bump, height: 0 } };
+    expect(onRoad(PAPER, { ...ROAD, length })).toEqual({ road });
+  },
+);
 
 test("a bump that was found is the one the car brakes for, and none is added", () => {
   const measured = { ...ROAD, bumps: [{ start: 0.4, width: 200, height: 0.07 }] };
@@ -29,5 +33,5 @@ it("A saved scenario takes the paper's value for a field that is newer, and lose
 it("A saved road is driven to its end; the rest of the scenario stays", () => {
   const edited = setAt(paper, "/mpc/lag", 5);
   const opened = withItem(edited, { kind: "road", value: { id: "r", length: 80, bumps: [] } }, FORM);
-  expect(opened).toEqual(setAt(setAt(edited, "/road/profile", "r"), "/road/length", 80));
+  expect(opened).toEqual(setAt(setAt(setAt(edited, "/road/profile", "r"), "/road/length", 80), "/road/bump/height", 0));
 });

@@ -11,6 +11,8 @@ import { setAt, sameValue, type Pointer } from "../../scenario/path";
 import { type Field, optionOf, optionTitle, optionValue, type ChoiceField } from "../../scenario/schema";
 import { Choice } from "../../ui/Entry";
 import type { JsonValue, Scenario } from "../../api/types";
+import { Caution } from "../../ui/Caution";
+import { dotted } from "../../scenario/fields";
 import type { InvalidInput } from "../../lab/labState";
 import { useForm, useStrategies } from "../../server/useCatalogues";
 import { isUsed, unusedText } from "../../scenario/effect";
@@ -45,6 +47,11 @@ export function FieldFrame({ id, field, leaf: { changed, error, unused }, paperT
         >
           {title}
         </label>
+        {field.note && (
+          <Text span size="xs" c="dimmed" data-testid="note">
+            {field.note}
+          </Text>
+        )}
         <Help field={field} />
         <Box component="span" flex={1} />
         <ResetButton {...{ field, paperText, changed }} />
@@ -52,9 +59,18 @@ export function FieldFrame({ id, field, leaf: { changed, error, unused }, paperT
       </Group>
       {children}
       {unused !== undefined && !isSaidAbove && <UnusedText>{unused}</UnusedText>}
+      <FieldCautions pointer={pointer} />
       <FieldError id={id} error={error} />
     </div>
   );
+}
+
+/** What the newest answer says to beware of at a field. */
+function FieldCautions({ pointer }: { readonly pointer: Pointer }) {
+  const cautions = useLab((state) => state.shown?.cautions);
+  return cautions
+    ?.filter(({ field }) => field === dotted(pointer))
+    .map(({ text }) => <Caution key={text} text={text} />);
 }
 
 /** Why a field, or several, have no effect. */

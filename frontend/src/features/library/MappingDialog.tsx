@@ -11,6 +11,8 @@ import {
   guessUses,
   rewritten,
   tableOf,
+  unitFault,
+  unitOf,
   type Layout,
   type Table,
   type TableKind,
@@ -63,8 +65,8 @@ export function MappingDialog({ name, text, kinds, likely, onClose }: Props) {
   const table = useMemo(() => tableOf(text, layout), [text, layout]);
   const kind = kinds.find(({ id }) => id === kindId);
   if (!kind) return null;
-  const unitOf = (role: string) => kind.roles.find(({ id }) => id === role)?.units[0] ?? "";
-  const uses = (edited ?? guessUses(table, kind)).map(({ role, unit }) => ({ role, unit: unit || unitOf(role) }));
+  const roleOf = (role: string) => kind.roles.find(({ id }) => id === role);
+  const uses = edited ?? guessUses(table, kind);
   const choose = (next: readonly Use[] | null) => {
     setEdited(next);
     setWrong(null);
@@ -75,7 +77,8 @@ export function MappingDialog({ name, text, kinds, likely, onClose }: Props) {
   };
   const use = (index: number, change: Partial<Use>) =>
     choose(uses.map((each, at) => (at === index ? { ...each, ...change } : each)));
-  const fault = table.rows.length === 0 ? "There are no rows" : kind.faultOf(uses);
+  const fault =
+    table.rows.length === 0 ? "There are no rows" : (kind.faultOf(uses) ?? unitFault(table.titles, uses, kind.roles));
   const go = async () => {
     setBusy(true);
     setWrong(await kind.onMapped(rewritten(text, layout, uses)).catch(messageOf));
@@ -91,16 +94,20 @@ export function MappingDialog({ name, text, kinds, likely, onClose }: Props) {
           miw={110}
           value={uses[index]?.role ?? ""}
           data={[{ value: "", label: "left out" }, ...kind.roles.map(({ id, label }) => ({ value: id, label }))]}
-          onPick={(value) => use(index, { role: value, unit: unitOf(value) })}
+          onPick={(value) => {
+            const role = roleOf(value);
+            use(index, { role: value, unit: role ? unitOf(title, role) : "" });
+          }}
         />
         <Choice
           aria-label={`Unit of ${title}`}
           value={uses[index]?.unit ?? ""}
           disabled={uses[index]?.role === ""}
-          data={(kind.roles.find(({ id }) => id === uses[index]?.role)?.units ?? [""]).map((unit) => ({
-            value: unit,
-            label: prettyUnit(unit),
-          }))}
+          error={uses[index]?.role !== "" && uses[index]?.unit === ""}
+          data={[
+            ...(uses[index]?.unit === "" ? [{ value: "", label: uses[index].role === "" ? "" : "choose" }] : []),
+            ...(roleOf(uses[index]?.role ?? "")?.units ?? []).map((unit) => ({ value: unit, label: prettyUnit(unit) })),
+          ]}
           onPick={(value) => use(index, { unit: value })}
         />
       </>

@@ -1,5 +1,16 @@
 import { expect, test } from "vitest";
-import { areClear, columnsOf, guessLayout, guessUses, rewritten, tableOf, type Role } from "./columns";
+import {
+  columnsOf,
+  guessLayout,
+  guessUses,
+  likelyKind,
+  rewritten,
+  ROAD,
+  tableOf,
+  unitFault,
+  type Role,
+  type TableKind,
+} from "./columns";
 
 const ROLES: readonly Role[] = [
   { id: "distance", label: "Distance", titles: ["distance", "x"], units: ["m", "km"] },
@@ -19,19 +30,45 @@ test.each([
   expect(guessLayout(text)).toEqual(layout);
 });
 
+const OF_ROLES: Pick<TableKind, "roles" | "places"> = { roles: ROLES, places: PLACES };
+const usesOf = (text: string, kind = OF_ROLES) => guessUses(tableOf(text, guessLayout(text)), kind);
+
 test("columns are known by their titles, or else by their places", () => {
-  const of = (text: string) => guessUses(tableOf(text, guessLayout(text)), { roles: ROLES, places: PLACES });
-  const clear = of("X (m), Left [mm]\n0,1\n1,2\n");
-  expect(clear).toEqual([
+  expect(usesOf("X (m), Left [mm]\n0,1\n1,2\n")).toEqual([
     { role: "distance", unit: "m" },
     { role: "left", unit: "mm" },
   ]);
-  expect(areClear(clear)).toBe(true);
-  const untitled = of("0;1;2\n1;2;3\n");
-  expect(untitled.map(({ role }) => role)).toEqual(["distance", "left", "right"]);
-  expect(areClear(untitled)).toBe(false);
-  expect(areClear(of("x [m],left [furlong]\n0,1\n1,2\n"))).toBe(false);
-  expect(areClear(of("x [m],left [mm],note\n0,1,2\n1,2,3\n"))).toBe(false);
+  expect(usesOf("0;1;2\n1;2;3\n")).toEqual([
+    { role: "distance", unit: "m" },
+    { role: "left", unit: "mm" },
+    { role: "right", unit: "mm" },
+  ]);
+  expect(usesOf("x [m],left [mm],note\n0,1,2\n1,2,3\n")[2]).toEqual({ role: "", unit: "" });
+});
+
+test.each([
+  ["distance (feet)", "ft"],
+  ["distance [inch]", "in"],
+  ["distance_km", "km"],
+  ["distance m", "m"],
+  ["distance", "m"],
+  ["distance []", "m"],
+])("a unit is what the title says, and the likeliest only where it says none: %s", (title, unit) => {
+  expect(usesOf(`${title},height [mm]\n0,1\n1,2\n`, ROAD)[0]).toEqual({ role: "distance", unit });
+});
+
+test.each([
+  ["distance (furlong),height (inches)", "furlong", "distance (furlong)"],
+  ["distance [m],left [mm],right [°]", "°", "right [°]"],
+])("a unit that is not understood is named, and none stands in for it: %s", (titles, unit, title) => {
+  const text = `${titles}\n0,1,2\n1,2,3\n`;
+  const uses = usesOf(text, ROAD);
+  const fault = unitFault(titles.split(","), uses, ROAD.roles);
+  expect(fault).toBe(`“${unit}”, the unit of “${title}”, is not understood: choose the unit`);
+  expect(uses.filter((use) => use.unit === "")).toHaveLength(1);
+  const chosen = uses.map((use) => ({ ...use, unit: use.unit || "m" }));
+  expect(unitFault(titles.split(","), chosen, ROAD.roles)).toBeNull();
+  expect(likelyKind("x.csv", text)).toBe("road");
 });
 
 test("a mapped table has titles, units, points and commas; its lines keep their numbers", () => {

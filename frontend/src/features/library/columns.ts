@@ -7,8 +7,10 @@ import type { Catalogue } from "../../api/types";
 export interface Role {
   readonly id: string;
   readonly label: string;
-  /** Titles it is known by, in small letters, with blanks between words. */
+  /** Titles that the server knows it by too, in small letters, with blanks between words. */
   readonly titles: readonly string[];
+  /** Others. */
+  readonly moreTitles?: readonly string[];
   /** The likeliest first. */
   readonly units: readonly string[];
 }
@@ -34,6 +36,7 @@ export interface Layout {
 /** What one column is; the role is empty where it is left out. */
 export interface Use {
   readonly role: string;
+  /** Empty where none is chosen: the title says none, or one that is not understood. */
   readonly unit: string;
 }
 
@@ -90,27 +93,64 @@ export function tableOf(text: string, { separator, hasHeader }: Layout, most = I
   return { titles: head, rows };
 }
 
-const UNIT = /^(.*?)\s*[[(]\s*([^\])]*?)\s*[\])]?$/;
+const IN_BRACKETS = /^(.*?)\s*[[(]\s*([^\])]*?)\s*[\])]?$/;
+const AT_THE_END = /^(.+)[\s_-]([^\s_-]+)$/;
+
+/** A title's name, and the unit that it says, as it is written: in brackets, or at its end where that is one of `units`. */
+function partsOf(title: string, units: readonly string[]): { readonly name: string; readonly written: string } {
+  const [, inside, written] = IN_BRACKETS.exec(title) ?? [];
+  if (inside !== undefined && written !== undefined) return { name: inside, written };
+  const [, before, last] = AT_THE_END.exec(title) ?? [];
+  const isUnit = last !== undefined && units.some((unit) => isSameUnit(unit, last));
+  return before !== undefined && isUnit ? { name: before, written: last } : { name: title, written: "" };
+}
+
+/** The unit that a title says, as it is written; empty where it says none. */
+export const writtenUnit = (title: string, { units }: Pick<Role, "units">): string => partsOf(title, units).written;
+
+/** The unit of a column in that role: the one its title says, the likeliest where it says none, none where it is not understood. */
+export function unitOf(title: string, role: Pick<Role, "units">): string {
+  const written = writtenUnit(title, role);
+  if (written === "") return role.units[0] ?? "";
+  return role.units.find((each) => isSameUnit(each, written)) ?? "";
+}
 
 /** What each column is by its title, or, where none is known, by its place. */
 export function guessUses({ titles }: Table, { roles, places }: Pick<TableKind, "roles" | "places">): readonly Use[] {
-  const uses = titles.map((title): Use => {
-    const [, name = title, unit = ""] = UNIT.exec(title) ?? [];
-    const plain = name
-      .trim()
-      .toLowerCase()
-      .replace(/[\s_-]+/g, " ");
-    const role = roles.find(({ titles }) => titles.includes(plain));
-    return { role: role?.id ?? "", unit: role?.units.find((each) => isSameUnit(each, unit)) ?? "" };
-  });
-  if (uses.some(({ role }) => role !== "")) return uses;
+  const found = titles.map((title) =>
+    roles.find(({ titles, moreTitles = [], units }) => [...titles, ...moreTitles].includes(plainName(title, units))),
+  );
   const ids = places(titles.length);
-  return titles.map((_, index) => ({ role: ids[index] ?? "", unit: "" }));
+  const isAnyKnown = found.some((role) => role !== undefined);
+  return titles.map((title, index): Use => {
+    const role = isAnyKnown ? found[index] : roles.find(({ id }) => id === ids[index]);
+    return role ? { role: role.id, unit: unitOf(title, role) } : { role: "", unit: "" };
+  });
 }
 
-/** Whether each column says itself what it is, and in which unit. */
-export const areClear = (uses: readonly Use[]): boolean =>
-  uses.length > 0 && uses.every(({ role, unit }) => role !== "" && unit !== "");
+const plainName = (title: string, units: readonly string[]) =>
+  partsOf(title, units)
+    .name.trim()
+    .toLowerCase()
+    .replace(/[\s_-]+/g, " ");
+
+/** What is said of a unit that is not understood; `null` where each column that is used has one. */
+export function unitFault(titles: readonly string[], uses: readonly Use[], roles: readonly Role[]): string | null {
+  const index = uses.findIndex(({ role, unit }) => role !== "" && unit === "");
+  const role = roles.find(({ id }) => id === uses[index]?.role);
+  const title = titles[index];
+  if (role === undefined || title === undefined) return null;
+  return `“${writtenUnit(title, role)}”, the unit of “${title}”, is not understood: choose the unit`;
+}
+
+/** Whether each column says itself what it is, and in which unit, so that the server knows it too. */
+const areClear = (titles: readonly string[], uses: readonly Use[], roles: readonly Role[]): boolean =>
+  uses.length > 0 &&
+  uses.every(({ role: id, unit }, index) => {
+    const role = roles.find((each) => each.id === id);
+    const [, name = "", written] = IN_BRACKETS.exec(titles[index] ?? "") ?? [];
+    return role?.titles.includes(plainName(name, [])) === true && unit !== "" && written === unit;
+  });
 
 /** The numbers of each column that is used, by its role. */
 export function columnsOf(table: Table, uses: readonly Use[], decimalComma: boolean): ReadonlyMap<string, number[]> {
@@ -152,8 +192,20 @@ export const ROAD: TableKind = {
       units: ["m", "km", "cm", "mm", "ft", "in"],
     },
     { id: "height", label: "Height", titles: ["height", "elevation", "z", "profile"], units: HEIGHTS },
-    { id: "left", label: "Left height", titles: ["left", "left height", "z left"], units: HEIGHTS },
-    { id: "right", label: "Right height", titles: ["right", "right height", "z right"], units: HEIGHTS },
+    {
+      id: "left",
+      label: "Left height",
+      titles: ["left", "left height", "z left"],
+      moreTitles: ["left elevation", "left profile"],
+      units: HEIGHTS,
+    },
+    {
+      id: "right",
+      label: "Right height",
+      titles: ["right", "right height", "z right"],
+      moreTitles: ["right elevation", "right profile"],
+      units: HEIGHTS,
+    },
   ],
   places: (columns) => (columns === 2 ? ["distance", "height"] : ["distance", "left", "right"]),
   faultOf: roadFault,
@@ -213,7 +265,7 @@ export function likelyKind(name: string, text: string): "road" | "drive" | null 
   const table = tableOf(text, layout, 40);
   if (table.titles.length < 2 || !/\d/.test(table.rows[0]?.join("") ?? "")) return null;
   const uses = guessUses(table, layout.hasHeader ? { ...ROAD, places: () => [] } : ROAD);
-  if (areClear(uses) && roadFault(uses) === null) return null;
+  if (areClear(table.titles, uses, ROAD.roles) && roadFault(uses) === null && !text.includes('"')) return null;
   const hasHeights = uses.some(({ role }) => role !== "" && role !== "distance");
   const areLengths = table.titles.every((title) => /[[(]\s*(k|c|m|u|µ)?m\s*[\])]$/.test(title.trim()));
   const isRoad = !layout.hasHeader || hasHeights || (areLengths && !/deflection|travel/i.test(table.titles.join()));

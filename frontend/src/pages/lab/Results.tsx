@@ -25,6 +25,7 @@ import { useLabFigures } from "../../lab/recordings";
 import { useCatalogue } from "../../server/useCatalogues";
 import { getAt } from "../../scenario/path";
 import { useCurves } from "../../plots/useDetail";
+import { Caution } from "../../ui/Caution";
 import { Note } from "../../ui/Messages";
 import { Blank } from "../../ui/Page";
 
@@ -90,6 +91,7 @@ const Conclusion = memo(function Conclusion({ resultView }: PartProps) {
         <VerdictLine resultView={simulatedPart(resultView)} />
         <ChangeChips resultView={simulatedPart(resultView)} />
       </LazyPart>
+      <VehicleCautions resultView={resultView} />
       <RoadsNote resultView={resultView} />
       <RecordingNotes resultView={resultView} />
       <LazyPart>
@@ -221,6 +223,13 @@ function RecordingNotes({ resultView }: { readonly resultView: ResultView }) {
       )
     );
   });
+}
+
+/** The paper's own values are cautioned in the form alone: beside them every result would be. */
+function VehicleCautions({ resultView }: PartProps) {
+  return resultView.shown.cautions
+    .filter(({ kind }) => !kind.endsWith("_as_printed"))
+    .map(({ kind, text }) => <Caution key={kind} text={text} />);
 }
 
 /** Says over how many roads the numbers and the curves are, and which road the rest is of. */
