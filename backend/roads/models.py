@@ -2,7 +2,7 @@
 
 from pydantic import Field
 
-from backend.models import Answer
+from backend.models import Answer, CautionAnswer
 
 
 class FoundBumpAnswer(Answer):
@@ -52,6 +52,7 @@ class RoadHead(RoadAnalysis):
     length: float = Field(description="Greatest `road.length` on it [m]")
     samples: int = Field(description="Heights, 10 mm apart")
     bumps: list[FoundBumpAnswer] = Field(description="The largest first")
+    cautions: list[CautionAnswer] = Field(description="What its heights have that a road's hardly have")
 
 
 class CreatedRoad(RoadHead):

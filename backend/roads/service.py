@@ -9,10 +9,13 @@ from backend.compute.workers import Workers
 from backend.csv_lines import CsvError
 from backend.errors import InvalidError, NotFoundError, ShortRoadError
 from backend.gate import Gate
+from backend.json_types import JsonObject
+from backend.models import CautionAnswer
 from backend.roads import survey
 from backend.roads.models import CreatedRoad, FoundBumpAnswer, RoadAnswer
 from backend.store import Store
 from sim_core import RidelabError, Scenario
+from sim_core.comparison.road_cautions import road_cautions
 from sim_core.road.survey import DetectedBump, bumps_in
 from sim_core.scenario.measured import SPACING, MeasuredRoad
 
@@ -50,6 +53,7 @@ class MeasuredRoads:
             samples=road.samples,
             bumps=_bumps(surveyed.bumps),
             warnings=surveyed.warnings,
+            cautions=_cautions(surveyed.analysis),
             **surveyed.analysis,
         )
 
@@ -71,6 +75,7 @@ class MeasuredRoads:
             bumps=_bumps(bumps),
             distance=distance,
             height=height,
+            cautions=_cautions(analysis),
             **analysis,
         )
 
@@ -130,6 +135,12 @@ class MeasuredRoads:
         if missing := sorted(wanted - roads.keys()):
             raise InvalidError(_missing(missing[0]), kind="unknown", pointer=pointer)
         return roads
+
+
+def _cautions(analysis: JsonObject) -> list[CautionAnswer]:
+    """Return what to beware of by the analysis of the file that was sent; nothing where that is not known any more."""
+    indices = analysis.get("iri")
+    return [CautionAnswer.model_validate(each) for each in road_cautions(indices["tracks"])] if indices else []
 
 
 def _missing(road_id: str) -> str:

@@ -97,7 +97,8 @@ def _columns(names: Sequence[str], line: int, *, alone: bool) -> tuple[list[floa
         title, unit = csv_lines.title_and_unit(name)
         unit = unit.lower()
         if unit not in UNITS:
-            raise CsvError(f"{FORM}; units are {', '.join(dict.fromkeys(UNITS))}", line)
+            wrong = f'the unit "{unit}" of "{title}" is not understood' if unit else f'"{title}" has no unit'
+            raise CsvError(f"{FORM}; {wrong}: units are {', '.join(dict.fromkeys(UNITS))}", line)
         titles.append(title.lower())
         scales.append(UNITS[unit])
     for wanted in ((DISTANCE, HEIGHT), (DISTANCE, LEFT, RIGHT), *([(HEIGHT,)] * alone)):

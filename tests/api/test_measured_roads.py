@@ -63,6 +63,18 @@ def test_a_road_is_known_by_its_content(client: httpx.Client, sent: dict[str, An
     assert client.get(f"/api/v1/roads/{MISSING}").status_code == 404
 
 
+@pytest.mark.parametrize(("unit", "index"), [("um", "0.00"), ("mm", None), ("in", "1")])
+def test_heights_in_another_unit_are_cautioned(client: httpx.Client, unit: str, index: str | None) -> None:
+    """Their International Roughness Index is no road's: below 0.1 or above 30 m/km."""
+    road = send(client, FILE.replace("[mm]", f"[{unit}]").replace("0.1,", "0.1,1")).json()
+    cautions = client.get(f"/api/v1/roads/{road['id']}").json()["cautions"]
+    assert cautions == road["cautions"]
+    assert [each["kind"] for each in cautions] == ([] if index is None else ["iri"])
+    for caution in cautions:
+        assert (caution["field"], caution["strategy"]) == ("road.profile", None)
+        assert caution["text"].startswith(f"The International Roughness Index of these heights is {index}")
+
+
 def test_a_stored_road_is_exported_and_the_same_when_sent_again(client: httpx.Client, sent: dict[str, Any]) -> None:
     exported = client.get(f"/api/v1/roads/{sent['id']}", params={"format": "csv"})
     assert exported.headers["content-type"].startswith("text/csv")

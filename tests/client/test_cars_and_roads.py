@@ -66,8 +66,12 @@ def test_the_roughness_of_a_bad_road_has_one_power_of_ten(cli: Cli, prepared: Pr
         "roughness": {"value": 1.0241e-3, "low": 4e-13, "high": 0.1},
         "waviness": {"value": 2, "low": 1.5, "high": 2.5},
     }
-    prepared.answers[f"GET /roads/{RUN}"] = {"id": RUN, "length": 50, "bumps": [], "warnings": [], **measures}
-    assert "roughness 1020e-6 m^3 (95 %: 0.0000004 to 100000), waviness 2.00" in cli("road", RUN)
+    cautions = [{"kind": "iri", "text": "Is the unit right?", "field": "road.profile", "strategy": None}]
+    road = {"id": RUN, "length": 50, "bumps": [], "warnings": [], "cautions": cautions, **measures}
+    prepared.answers[f"GET /roads/{RUN}"] = road
+    said = cli("road", RUN)
+    assert "roughness 1020e-6 m^3 (95 %: 0.0000004 to 100000), waviness 2.00" in said
+    assert "Caution: Is the unit right?" in said
 
 
 def test_a_librarys_file_is_driven_with_its_road(cli: Cli, prepared: Prepared, tmp_path: Path) -> None:

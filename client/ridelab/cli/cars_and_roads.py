@@ -140,6 +140,7 @@ def road(
             typer.echo(f"- {line}")
         for line in _indices(profile):
             typer.echo(line)
+        show_cautions(profile)
         if profile["bumps"]:
             show_table(_HEADS, [[bump["start"], bump["width"], bump["height"]] for bump in profile["bumps"]])
         else:

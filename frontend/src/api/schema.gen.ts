@@ -641,6 +641,7 @@ export interface components {
         };
         readonly CreatedRoad: {
             readonly bumps: readonly components["schemas"]["FoundBumpAnswer"][];
+            readonly cautions: readonly components["schemas"]["CautionAnswer"][];
             readonly id: string;
             readonly iri: components["schemas"]["IriAnswer"] | null;
             readonly iso_class: string | null;
@@ -1287,6 +1288,7 @@ export interface components {
         };
         readonly RoadAnswer: {
             readonly bumps: readonly components["schemas"]["FoundBumpAnswer"][];
+            readonly cautions: readonly components["schemas"]["CautionAnswer"][];
             readonly distance: readonly number[];
             readonly height: readonly number[];
             readonly id: string;

@@ -1,0 +1,34 @@
+"""What a measured road's heights come to that a road's hardly do: most often they are in another unit."""
+
+from collections.abc import Sequence
+
+from sim_core.comparison.caution import Caution
+
+LOWEST_IRI, HIGHEST_IRI = 0.1, 30.0
+"""Between them is what roads have [m/km]: new motorways about 1, damaged unpaved roads up to 20.
+
+M. W. Sayers and S. M. Karamihas 1998, The Little Book of Profiling, University of Michigan, figure of the IRI scale.
+"""
+
+
+def road_cautions(tracks: Sequence[float]) -> tuple[Caution, ...]:
+    """Name what heights have that roads hardly have: an International Roughness Index below 0.1 or above 30 m/km.
+
+    Args:
+        tracks: The index of each wheel track [m/km], as `sim_core.road.iri.iri` gives it.
+
+    Returns:
+        At most one, of kind `iri`, at the field `road.profile`.
+
+    Example:
+        >>> from sim_core.comparison.road_cautions import road_cautions
+        >>> [each.kind for each in road_cautions([2.1, 0.002])]
+        ['iri']
+    """
+    odd = [value for value in tracks if not LOWEST_IRI <= value <= HIGHEST_IRI]
+    if not odd:
+        return ()
+    usual = f"roads have {LOWEST_IRI:g} to {HIGHEST_IRI:g} m/km, new motorways about 1"
+    values = " and ".join(f"{value:.3g} m/km" for value in odd)
+    text = f"The International Roughness Index of these heights is {values}; {usual}. Is the unit of the heights right?"
+    return (Caution(kind="iri", text=text, field="road.profile"),)
