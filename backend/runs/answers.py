@@ -80,8 +80,7 @@ def _comparison(stored: StoredRun, baseline: str | None, compared: Collection[st
         for item in stored.shown
         if compared is None or item.strategy == against or item.strategy in compared
     }
-    is_random = Scenario.model_validate(stored.scenario).is_random
-    return compare_summaries(summaries, against, is_random=is_random)
+    return compare_summaries(summaries, against, Scenario.model_validate(stored.scenario))
 
 
 def _judged(stored: StoredRun, requirements: Sequence[Requirement], baseline: str | None) -> list[JsonObject]:
@@ -158,7 +157,7 @@ def _live(
         "comparison": compare_summaries(
             {name: [outcome.summary] for name, outcome in outcomes.items() if outcome.status == "ok"},
             baseline or default_baseline(list(outcomes)),
-            is_random=scenario.is_random,
+            scenario,
             metrics=PAPER_METRICS,
         ),
     }

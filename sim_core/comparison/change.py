@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import isfinite
 
 from sim_core.comparison.intervals import Interval, change_with_interval
-from sim_core.comparison.numbers import SAME, significant
+from sim_core.comparison.numbers import NOTHING, SAME, significant
 
 _ZERO = 1e-6  # what rounding leaves in a control loop on a smooth road is below this, in any unit that is shown
 
@@ -99,4 +99,8 @@ def excludes_zero(interval: Interval) -> bool:
 
 def shown_alike(value: float, base: float, scale: float = 1.0) -> bool:
     """Check whether two values show as the same digits in the unit that `scale` leads to."""
-    return significant(value * scale) == significant(base * scale)
+    shown, other = value * scale, base * scale
+    larger = max(abs(shown), abs(other))
+    if larger > NOTHING and abs(shown - other) > 0.01 * larger:  # three digits tell them apart: no need to write them
+        return False
+    return significant(shown) == significant(other)

@@ -7,9 +7,11 @@ from typing import Any
 from sim_core.comparison.caution import Caution
 from sim_core.comparison.change import Change
 from sim_core.comparison.rows import COMPARED, Row, changes_between, row_of
+from sim_core.comparison.vehicle_cautions import vehicle_cautions
 from sim_core.comparison.verdict import Verdict, verdict_on
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
+from sim_core.scenario import Scenario, Vehicle
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -21,7 +23,7 @@ class Comparison:
         changes: Strategy -> metric, by its flat name -> its change against the baseline. Without the baseline itself,
             and without metrics that either of both does not have.
         verdict: Which strategy is best, in words and metric by metric.
-        cautions: What makes the numbers mean less than they seem to.
+        cautions: What makes the numbers mean less than they seem to: what a vehicle has that cars hardly have.
 
     Example:
         >>> from sim_core import Scenario, compare, simulate
@@ -33,7 +35,7 @@ class Comparison:
     baseline: str
     changes: Mapping[str, Mapping[str, Change]]
     verdict: Verdict
-    cautions: tuple[Caution, ...] = ()
+    cautions: tuple[Caution, ...]
 
 
 def compare(
@@ -73,24 +75,18 @@ def compare(
     if len({len(each) for each in by_road.values()} | {0}) != 2:
         counts = ", ".join(f"{len(each)} of {name}" for name, each in by_road.items())
         raise RidelabError(f"Every strategy needs a result on each of the same roads; there are {counts}")
-    return _compare(
-        [
-            row_of(
-                name,
-                [result.summary() for result in each],
-                is_random=any(result.scenario.is_random for result in each),
-            )
-            for name, each in by_road.items()
-        ],
-        baseline or default_baseline(list(results)),
-    )
+    rows, vehicles = [], []
+    for name, each in by_road.items():
+        is_random = any(result.scenario.is_random for result in each)
+        rows.append(row_of(name, [result.summary() for result in each], is_random=is_random))
+        vehicles += [result.scenario.vehicle for result in each]
+    return _compare(rows, baseline or default_baseline(list(results)), vehicles)
 
 
 def compare_summaries(
     summaries: Mapping[str, Sequence[Mapping[str, Any]]],
     baseline: str,
-    *,
-    is_random: bool,
+    scenario: Scenario,
     metrics: Iterable[str] = COMPARED,
 ) -> Comparison:
     """Return the comparison of results of one scenario of which only the summaries are there.
@@ -98,18 +94,19 @@ def compare_summaries(
     Args:
         summaries: Strategy -> `StrategyResult.summary()` on each road, of as many roads each; there may be none.
         baseline: The strategy that changes refer to; one that failed has no summaries, and then there are no changes.
-        is_random: Whether another seed would give other values (`Scenario.is_random`).
+        scenario: What was driven, on the first road.
         metrics: Flat names of those that are compared.
     """
     keys = tuple(metrics)
-    rows = [row_of(name, each, is_random=is_random, metrics=keys) for name, each in summaries.items()]
-    return _compare(rows, baseline)
+    rows = [row_of(name, each, is_random=scenario.is_random, metrics=keys) for name, each in summaries.items()]
+    return _compare(rows, baseline, [scenario.vehicle])
 
 
-def _compare(rows: Sequence[Row], baseline: str) -> Comparison:
+def _compare(rows: Sequence[Row], baseline: str, vehicles: Iterable[Vehicle]) -> Comparison:
     base = next((row for row in rows if row.strategy == baseline), None)
     changes = {} if base is None else {row.strategy: changes_between(row, base) for row in rows if row is not base}
-    return Comparison(baseline=baseline, changes=changes, verdict=verdict_on(rows, base))
+    cautions = dict.fromkeys(caution for vehicle in dict.fromkeys(vehicles) for caution in vehicle_cautions(vehicle))
+    return Comparison(baseline=baseline, changes=changes, verdict=verdict_on(rows, base), cautions=tuple(cautions))
 
 
 def default_baseline(strategies: Sequence[str]) -> str:

@@ -37,12 +37,11 @@ class Contest:
     @cached_property
     def leaders(self) -> Mapping[str, tuple[Row, ...]]:
         """Metric -> the strategies that no other one is better than."""
-        return {
-            metric: tuple(
-                row for row in self.rows if not any(self.is_better(other, row, metric) for other in self.rows)
-            )
-            for metric in self.metrics
-        }
+        return {metric: self._leaders(metric) for metric in self.metrics}
+
+    def _leaders(self, metric: str) -> tuple[Row, ...]:
+        in_turn = sorted(self.rows, key=lambda row: row.means[metric])  # the lowest is better than most: asked first
+        return tuple(row for row in self.rows if not any(self.is_better(other, row, metric) for other in in_turn))
 
     @cached_property
     def best(self) -> Mapping[str, Row | None]:

@@ -17,7 +17,6 @@ from sim_core.comparison.change import Change
 from sim_core.comparison.contest import Contest, in_order
 from sim_core.comparison.numbers import percent
 from sim_core.comparison.rows import Row, changes_between
-from sim_core.comparison.variation import variation_of_one_road
 
 MOST_GROUPS, MOST_NAMED = 3, 4  # of groups and strategies that one sentence names
 _SAME_SPEED = 0.01  # arrival speeds closer than this part of each other print the same or nearly so
@@ -132,8 +131,9 @@ def _how_much(contest: Contest, baseline: Row | None) -> Iterator[str]:
         return
     window, signal = METRICS[metric].path[1:3]
     statistic, where = _WINDOWS[window]
-    what = f"the {statistic}{SIGNALS[signal].label.lower()}{where}"
-    yield f"With {subject.label}, {what} {_compared(subject, rival, metric)}."
+    is_only_one_named = subject is contest.winner and subject in contest.unbeaten
+    whose = "Its" if is_only_one_named else f"With {subject.label}, the"
+    yield f"{whose} {statistic}{SIGNALS[signal].label.lower()}{where} {_compared(subject, rival, metric)}."
 
 
 def _compared(subject: Row, rival: Row, metric: str) -> str:
@@ -143,10 +143,7 @@ def _compared(subject: Row, rival: Row, metric: str) -> str:
         return f"does not differ{beyond} from that with {rival.label}" if beyond else f"equals that with {rival.label}"
     if change.change is None:
         return f"cannot be compared in percent, because it is zero with {rival.label}"
-    size = f"{_size(change)} {'lower' if change.change < 0 else 'higher'}"
-    resolved = variation_of_one_road(metric, (subject.resolution, rival.resolution))
-    note = f" (random variation of one road: {resolved:g}\u2009%)" if beyond and change.low is None else ""
-    return f"is {size} than with {rival.label}{note}"
+    return f"is {_size(change)} {'lower' if change.change < 0 else 'higher'} than with {rival.label}"
 
 
 def _size(change: Change) -> str:

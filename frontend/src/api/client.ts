@@ -18,7 +18,7 @@ import type {
   LiveAnswer,
 } from "./types";
 
-/** Over how many roads, and which strategy the changes refer to. */
+/** Over how many roads, and which strategy the changes refer to; left out is one road, and the service's choice. */
 export type RoadsOptions = Pick<RunRequest, "roads" | "baseline">;
 
 const curves = (strategies: readonly StrategyId[], points: number, signals: readonly string[] | null) =>

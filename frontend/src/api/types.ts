@@ -5,6 +5,7 @@ import type { JsonObject, JsonValue } from "./json";
 import type {
   CautionAnswer as Caution,
   CharacteristicsAnswer as Characteristics,
+  ComparisonAnswer as Comparison,
   CreatedRoadsRun,
   Link as LinkAnswer,
   PaperAnswer,
@@ -25,6 +26,7 @@ export type {
   CautionAnswer as Caution,
   CharacteristicsAnswer as Characteristics,
   CombinationRow as Combination,
+  ComparisonAnswer as ResultComparison,
   Counts as VerdictCounts,
   CreatedLink as NewLink,
   Judgement as PaperJudgement,
@@ -59,6 +61,8 @@ export interface RunAnswer {
   readonly characteristics?: Characteristics;
   /** What the vehicle has that cars hardly have; services before core 0.5.0 do not say it. */
   readonly cautions?: readonly Caution[];
+  /** What the results mean beside each other; services before core 0.5.0 do not say it. */
+  readonly comparison?: Comparison;
   readonly strategies: Readonly<Record<StrategyId, Summary | Failure>>;
 }
 export type RoadsAnswer = RoadsRun | CreatedRoadsRun;

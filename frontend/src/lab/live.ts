@@ -8,6 +8,7 @@ import { createLatest } from "../lib/latest";
 import { NO_ERRORS, refusal } from "./problems";
 import { ALL_POINTS } from "../server/queries";
 import { cursor } from "./cursor";
+import { askedStrategies } from "./baseline";
 import { axisKey, bumpRange } from "./resultView";
 import { fromLive, type Result } from "./result";
 import { createAtom, type Atom } from "@tanstack/react-store";
@@ -47,14 +48,14 @@ interface Asked {
   readonly startedAt: number;
 }
 
-interface Parts extends Pick<Services, "api" | "labAddress"> {
+interface Parts extends Services {
   readonly store: Atom<LabState>;
   /** Marks what is shown as stale when it ends. */
   readonly grace: Timer;
   readonly form: () => LabForm;
 }
 
-export function createLive({ store, grace, api, labAddress, form }: Parts) {
+export function createLive({ store, grace, api, labAddress, queries, form }: Parts) {
   const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
 
   /** Beside the bump samples lie further apart: what shows more takes twice as many, and the more the less it shows. */
@@ -119,9 +120,12 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
       const { group, signals } = form();
       const { strategies, stale } = store.get();
       const isRead = isReadNext || stale;
+      const { baseline } = labAddress.get().view;
+      const asked = askedStrategies(simulated(strategies), baseline, { roads: 1, shown: store.get().shown, queries });
       const body = {
         scenario: withoutGone(group, scenario),
-        strategies: simulated(strategies),
+        strategies: simulated(asked.strategies),
+        ...(asked.baseline !== null && !isRecording(asked.baseline) && { baseline: asked.baseline }),
         ...(isRead ? { signals, points: points() } : { signals: [...inSight], ...partInSight() }),
       };
       return { answer: await api.live(body, signal), isRead };

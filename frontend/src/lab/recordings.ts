@@ -37,13 +37,25 @@ const STYLES: readonly (readonly [colour: string, dark: string, dash: string])[]
   ["#14532D", "#A7F3B0", "4px,2px"],
 ];
 
-function strategyOf(id: StrategyId, name: string | undefined, like: Strategy): Strategy {
+/** What controlled it is not known: it resolves as little as the strategy that varies most, as the service has it. */
+function leastResolution(strategies: readonly Strategy[]): Strategy["one_road_resolution"] {
+  const every = strategies.flatMap((strategy) => Object.entries(strategy.one_road_resolution));
+  const of = (statistic: string) => every.flatMap(([key, percent]) => (key === statistic ? [percent] : []));
+  return Object.fromEntries(every.map(([statistic]) => [statistic, Math.max(...of(statistic))]));
+}
+
+function strategyOf(
+  id: StrategyId,
+  name: string | undefined,
+  like: Strategy,
+  one_road_resolution: Strategy["one_road_resolution"],
+): Strategy {
   const key = id.replace(/^recording:/, "");
   const sum = Array.from(key, (letter) => letter.charCodeAt(0)).reduce((total, code) => total + code, 0);
   const [colour = "", dark_colour = "", dash = ""] = STYLES[sum % STYLES.length] ?? [];
   const label = name ?? `Recording ${key.slice(0, 6)}`;
   const description = "A recorded drive, placed on this road by its likeness to a simulated one.";
-  return { ...like, id, label, description, colour, dark_colour, dash, reads: [], reads_when: [] };
+  return { ...like, id, label, description, colour, dark_colour, dash, reads: [], reads_when: [], one_road_resolution };
 }
 
 const inUse = ({ strategies, shown }: LabState) =>
@@ -55,7 +67,9 @@ export function useLabStrategies(): readonly Strategy[] {
   return useMemo(() => {
     const like = strategies.find(({ id }) => id === "passive") ?? strategies[0];
     const ids = [...new Set([...own.map(({ id }) => id), ...used.split(",").filter(Boolean)])];
-    const recorded = like ? ids.map((id) => strategyOf(id, own.find((each) => each.id === id)?.name, like)) : [];
+    const resolution = leastResolution(strategies);
+    const nameOf = (id: StrategyId) => own.find((each) => each.id === id)?.name;
+    const recorded = like ? ids.map((id) => strategyOf(id, nameOf(id), like, resolution)) : [];
     return [...strategies, ...recorded];
   }, [strategies, own, used]);
 }

@@ -3,6 +3,7 @@
 import { isTransient, isAbort } from "../api/problem";
 import type { StrategyId } from "../api/types";
 import { DEFAULT_VIEW } from "./address";
+import { askedStrategies } from "./baseline";
 import { cursor } from "./cursor";
 import { historiesOf } from "./histories";
 import { begin, record } from "./history";
@@ -39,7 +40,7 @@ export function createRequests(
 ): Requests {
   const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
   const grace = createTimer(STALE_AFTER_MS, () => patch({ stale: true }));
-  const live = createLive({ store, grace, api, labAddress, form });
+  const live = createLive({ store, grace, api, labAddress, queries, form });
   let unfinished: (() => void) | null = null;
 
   const exact = createExactRequests({
@@ -70,20 +71,23 @@ export function createRequests(
 
   const submit: Requests["submit"] = (mode) => {
     const { history, strategies: switchedOn, roads } = store.get();
-    const strategies = roads > 1 ? switchedOn.filter((id) => !isRecording(id)) : switchedOn; // a recording is of one road
-    if (strategies.length === 0) {
+    const driven = roads > 1 ? switchedOn.filter((id) => !isRecording(id)) : switchedOn; // a recording is of one road
+    if (driven.length === 0) {
       cancel();
       return;
     }
     if (mode === "push") labAddress.cancelNavigation();
-    const { baseline } = labAddress.get().view;
-    const over = roads > 1 ? { roads, ...(strategies.includes(baseline) ? { baseline } : {}) } : null;
+    const chosen = labAddress.get().view.baseline;
+    const { strategies, baseline } = askedStrategies(driven, chosen, { roads, shown: store.get().shown, queries });
     start({
       work: async (signal) => {
         const startedAt = performance.now();
         const { group } = form();
         const asked = history?.present ?? {};
-        const run = await api.createRun(withoutGone(group, asked), strategies, signal, over);
+        const run = await api.createRun(withoutGone(group, asked), strategies, signal, {
+          ...(roads > 1 && { roads }),
+          ...(baseline !== null && { baseline }),
+        });
         signal.throwIfAborted();
         queries.setQueryData(runKey(run.id), run);
         if (history === null) patch({ history: begin(run.scenario) });
@@ -113,8 +117,9 @@ export function createRequests(
         return () => {
           const { history } = store.get();
           labAddress.confirmNavigation();
-          if (run.over && labAddress.get().view.baseline === DEFAULT_VIEW.baseline)
-            labAddress.setView({ baseline: run.over.baseline });
+          const { baseline } = labAddress.get().view;
+          if (run.comparison && (baseline === DEFAULT_VIEW.baseline || !(baseline in run.strategies)))
+            labAddress.setView({ baseline: run.comparison.baseline });
           patch({
             ...resultsAfterOpening(store.get(), fromRun(run, histories, performance.now() - startedAt, true)),
             roads: run.over?.roads ?? 1,

@@ -5,6 +5,7 @@ import type {
   Caution,
   Characteristics,
   Failure,
+  ResultComparison,
   LiveAnswer,
   OverRoads,
   Run,
@@ -42,6 +43,8 @@ export interface Result {
   readonly characteristics: Characteristics | undefined;
   /** What the vehicle has that cars hardly have. */
   readonly cautions: readonly Caution[];
+  /** What its strategies mean beside each other, as the service says it. */
+  readonly comparison: ResultComparison | undefined;
   readonly summaries: Readonly<Record<StrategyId, Summary>>;
   readonly failed: readonly Failed[];
   /** What several roads say: then the summaries are means, and curves and events are the first road's. */
@@ -81,6 +84,7 @@ export function fromRun(run: Run, { series, missing }: Histories, roundTripMs: n
     scenario: run.scenario,
     characteristics: run.characteristics,
     cautions: run.cautions ?? NO_CAUTIONS,
+    comparison: run.comparison,
     ...split(run.strategies),
     over: run.over,
     series,
@@ -98,6 +102,7 @@ export function fromLive(answer: LiveAnswer, roundTripMs: number): Result {
     scenario: answer.scenario,
     characteristics: answer.characteristics,
     cautions: answer.cautions ?? NO_CAUTIONS,
+    comparison: answer.comparison,
     summaries,
     failed,
     over: null,

@@ -77,11 +77,12 @@ export function partShown(
   return { shown, catalogue, strategies, ids, faults, summaries, series, axis, zoom, whole, bump, range };
 }
 
-/** Where the one chosen is not of the run, the last that is on. */
+/** What changes refer to: the strategy that was chosen, shown or hidden, or the service's choice where the run lacks that one. */
 export const baselineOf = (
-  { summaries, ids }: Pick<PartShown, "summaries" | "ids">,
-  strategy: StrategyId,
-): StrategyId | null => (strategy in summaries ? strategy : (ids.at(-1) ?? null));
+  { summaries, failed, comparison }: Pick<Result, "summaries" | "failed" | "comparison">,
+  chosen: StrategyId,
+): StrategyId | null =>
+  chosen in summaries || failed.some(({ strategy }) => strategy === chosen) ? chosen : (comparison?.baseline ?? null);
 
 export function withBaseline(
   part: PartShown,
@@ -91,7 +92,7 @@ export function withBaseline(
 ): ResultView {
   return {
     ...part,
-    baseline: baselineOf(part, baseline),
+    baseline: baselineOf(part.shown, baseline),
     ...compared,
     roadPairedChanges,
     judged,
@@ -100,7 +101,7 @@ export function withBaseline(
   };
 }
 
-/** What is simulated of it: no recorded drive has a car to draw, or wins. */
+/** What is simulated of it: no recorded drive has a car to draw. */
 export function simulatedPart(resultView: ResultView): ResultView {
   if (!resultView.ids.some(isRecording)) return resultView;
   const strategies = resultView.strategies.filter(({ id }) => !isRecording(id));

@@ -26,7 +26,7 @@ export function readSharedView({
   return {
     view: {
       axis: view.axis ?? "distance",
-      baseline: view.baseline ?? run?.over?.baseline ?? "passive",
+      baseline: view.baseline ?? run?.comparison?.baseline ?? "passive",
       hidden: computed.filter((id) => !strategies.includes(id)),
       zoom: readZoom(view.zoom),
       reference: view.reference ? pinReference(view.reference) : "baseline",

@@ -88,6 +88,15 @@ export const changesQuery = (
   refersTo: { readonly against: string } | { readonly baseline: StrategyId },
 ) => ({ ...query("/runs/{id}/changes", { path: { id }, query: refersTo }), staleTime: Infinity });
 
+/** What a run's strategies mean beside each other, against one of them; a run never changes. */
+export const comparisonQuery = (id: string, question: { readonly baseline: StrategyId; readonly compare: string }) =>
+  queryOptions({
+    queryKey: ["comparison", id, question],
+    queryFn: async ({ signal }) =>
+      (await ask("get", "/runs/{id}", { path: { id }, query: question }, signal)).comparison,
+    staleTime: Infinity,
+  });
+
 /** How a run keeps requirements. */
 export const judgedQuery = (id: string, requirements: readonly Requirement[], baseline: StrategyId | null) =>
   queryOptions({

@@ -6,6 +6,7 @@ import { referenceTo, whyNotCompared, type Reference } from "../../lab/compare";
 import { useAction, useActionButton } from "../../lab/actions";
 import { useLabContext, useLab, useEdit, useFromScenario, useReadOnly } from "../../lab/context";
 import { useForm } from "../../server/useCatalogues";
+import type { Strategy } from "../../api/types";
 import type { ResultView } from "../../lab/resultView";
 import { Icon } from "../../ui/icons";
 import { defaultName, MOST_PINS } from "../../lab/pins";
@@ -61,7 +62,8 @@ interface AgainstSelectProps {
   readonly resultView: ResultView;
 }
 
-function AgainstSelect({ resultView: { strategies, pins, before, reference, baseline } }: AgainstSelectProps) {
+function AgainstSelect({ resultView }: AgainstSelectProps) {
+  const { pins, before, reference, baseline } = resultView;
   const { labAddress } = useLabContext();
   const variants = [
     ...(before ? [{ value: "before" satisfies Reference, label: `B${before.name.slice(1)}` }] : []),
@@ -77,7 +79,7 @@ function AgainstSelect({ resultView: { strategies, pins, before, reference, base
         data={[
           {
             group: "Another strategy",
-            items: strategies.map(({ id, label }) => ({ value: `${STRATEGY}${id}`, label })),
+            items: possibleBaselines(resultView).map(({ id, label }) => ({ value: `${STRATEGY}${id}`, label })),
           },
           ...(variants.length > 0 ? [{ group: "The same strategy", items: variants }] : []),
         ]}
@@ -91,6 +93,21 @@ function AgainstSelect({ resultView: { strategies, pins, before, reference, base
       />
     </Group>
   );
+}
+
+/** The strategies that changes can refer to: those that are shown, and others of the result, which say that they are not. */
+export function possibleBaselines({
+  catalogue,
+  ids,
+  baseline,
+  summaries,
+}: Pick<ResultView, "catalogue" | "ids" | "baseline" | "summaries">): readonly Pick<Strategy, "id" | "label">[] {
+  return catalogue
+    .filter(({ id }) => id in summaries || id === baseline)
+    .map(({ id, label }) => ({
+      id,
+      label: ids.includes(id) ? label : `${label} (${id in summaries ? "hidden" : "failed"})`,
+    }));
 }
 
 /** Of the variant that changes are against, or of the state before the last edit. */

@@ -20,14 +20,14 @@ import {
 import { useSelector, createAtom } from "@tanstack/react-store";
 import { api } from "../../api/client";
 import { isNotFound, Unreachable } from "../../api/problem";
-import type { Run, PairedChanges } from "../../api/types";
+import type { Run, PairedChanges, StrategyId } from "../../api/types";
 import { useLab } from "../../lab/context";
 import { historiesOf } from "../../lab/histories";
 import { createPins, type Pin } from "../../lab/pins";
 import { fromCache, runKey, changesQuery } from "../../server/queries";
 import { fromRun, type Result, beforeEdit, isUndone, roadsOf } from "../../lab/result";
 import { ownStorage, readStored, writeStored } from "../../lib/storage";
-import { baselineOf, type PartShown } from "../../lab/resultView";
+import type { PartShown } from "../../lab/resultView";
 
 export function useCompared(): Compared {
   const before = useBefore();
@@ -133,7 +133,7 @@ export function useBefore(): Variant | null {
 }
 
 interface View {
-  readonly baseline: string;
+  readonly baseline: StrategyId | null;
   readonly reference: Reference;
 }
 
@@ -145,9 +145,12 @@ function refersTo({ over, runId, summaries }: Result, variant: Result | null, ba
 }
 
 /** What each run over several roads changes against what changes are against, paired by road. */
-export function usePaired(part: PartShown | null, compared: Compared, view: View): RoadPairedChanges {
-  const variant = referenceVariant(compared, view.reference)?.shown ?? null;
-  const baseline = part && baselineOf(part, view.baseline);
+export function usePaired(
+  part: PartShown | null,
+  compared: Compared,
+  { baseline, reference }: View,
+): RoadPairedChanges {
+  const variant = referenceVariant(compared, reference)?.shown ?? null;
   const shown = part?.shown;
   const asked = useMemo(() => {
     const results = shown ? [shown, ...compared.pins.map((pin) => pin.shown)] : [];

@@ -12,7 +12,8 @@ import { whyNotCompared } from "../../lab/compare";
 import { useLabContext, useLab, useView } from "../../lab/context";
 import { useLabStrategies } from "../../lab/recordings";
 import { useFigures, useForm } from "../../server/useCatalogues";
-import { axisKey, makeResultView } from "../../lab/resultView";
+import { roadsOf } from "../../lab/result";
+import { axisKey, baselineOf, makeResultView } from "../../lab/resultView";
 import { asCommand, asCurl, asPython, type CopyRequest } from "./copyAs";
 import { plotsImage } from "./image";
 import { settledCurves } from "../../plots/curves";
@@ -65,13 +66,15 @@ export function ExportMenu() {
   };
   const scenario = () => lab.get().history?.present ?? lab.get().shown?.scenario ?? {};
   const copyAs = (write: (request: CopyRequest) => string) => {
+    const { shown } = lab.get();
     copy(
       write({
         origin: window.location.origin,
         form,
         scenario: scenario(),
         strategies: selected,
-        over: lab.get().shown?.over ?? null,
+        roads: shown ? roadsOf(shown) : 1,
+        baseline: shown && baselineOf(shown, view.baseline),
         requirements: view.requirements,
       }),
     );

@@ -11,10 +11,10 @@ const copyRequest = (scenario = CHANGED) => ({
   form: FORM,
   scenario,
   strategies: ["lv", "lqr"],
-  over: null,
+  roads: 1,
+  baseline: null as string | null,
   requirements: [],
 });
-const OVER = { roads: 10, baseline: "lqr" };
 
 describe("what is written out", () => {
   it("is what differs from the paper, weights whole", () => {
@@ -49,17 +49,18 @@ it("the command line sets field by field", () => {
 });
 
 it("several roads and their baseline are written out", () => {
-  const several = { ...copyRequest(PAPER), over: OVER };
+  const several = { ...copyRequest(PAPER), roads: 10, baseline: "lqr" };
   expect(asCurl(several)).toContain(`"strategies":["lv","lqr"],"roads":10,"baseline":"lqr"}`);
   expect(asCommand(several)).toContain("--strategy lv,lqr --roads 10 --baseline lqr");
   expect(asPython(several)).toContain(`ridelab.run(scenario, ["lv", "lqr"], roads=10, baseline="lqr")`);
 });
 
-it("several roads are written out where their baseline is hidden", () => {
-  const several = { ...copyRequest(PAPER), over: { roads: 5, baseline: "passive" } };
-  expect(asCurl(several)).toContain(`"strategies":["lv","lqr"],"roads":5}`);
-  expect(asCommand(several)).toContain("--strategy lv,lqr --roads 5 --server");
-  expect(asPython(several)).toContain(`ridelab.run(scenario, ["lv", "lqr"], roads=5)`);
+it("a baseline that is hidden runs too", () => {
+  const hidden = { ...copyRequest(PAPER), baseline: "skyhook" };
+  expect(asCurl(hidden)).toContain(`"strategies":["lv","lqr","skyhook"],"baseline":"skyhook"}`);
+  expect(asCommand(hidden)).toContain("--strategy lv,lqr,skyhook --baseline skyhook --server");
+  const several = { ...copyRequest(PAPER), roads: 5, baseline: "passive" };
+  expect(asPython(several)).toContain(`ridelab.run(scenario, ["lv", "lqr", "passive"], roads=5)`);
 });
 
 describe("Python", () => {

@@ -5,6 +5,7 @@ import { isChanged, leavesOf } from "../../scenario/differences";
 import { getAt, setAt } from "../../scenario/path";
 import { fieldsOf, type Group } from "../../scenario/schema";
 import { requirementText, type Requirement } from "../../lab/requirements";
+import { DEFAULT_VIEW } from "../../lab/address";
 import { dotted } from "../../scenario/fields";
 
 export interface CopyRequest {
@@ -12,16 +13,24 @@ export interface CopyRequest {
   readonly origin: string;
   readonly form: Group;
   readonly scenario: Scenario;
+  /** Those that are shown. */
   readonly strategies: readonly StrategyId[];
-  /** Over how many roads, and against which strategy where that is one of them; `null` for one road. */
-  readonly over: { readonly roads: number; readonly baseline: StrategyId } | null;
+  readonly roads: number;
+  /** The strategy that changes refer to, shown or hidden; `null` where there is none. */
+  readonly baseline: StrategyId | null;
   /** What the strategies are held to. */
   readonly requirements: readonly Requirement[];
 }
 
-/** Without a baseline that is hidden: the service then takes its own. */
-const roadsOf = ({ over, strategies }: CopyRequest) =>
-  over && { roads: over.roads, ...(strategies.includes(over.baseline) && { baseline: over.baseline }) };
+/** A baseline that is hidden runs too. */
+const drivenOf = ({ strategies, baseline }: CopyRequest): readonly StrategyId[] =>
+  baseline === null || strategies.includes(baseline) ? strategies : [...strategies, baseline];
+
+/** What is not as usual. */
+const optionsOf = ({ roads, baseline }: CopyRequest) => ({
+  ...(roads > 1 && { roads }),
+  ...(baseline !== null && baseline !== DEFAULT_VIEW.baseline && { baseline }),
+});
 
 const heldTo = ({ requirements }: CopyRequest) => (requirements.length > 0 ? { requirements } : {});
 
@@ -42,33 +51,33 @@ const quoted = (text: string) => `'${text.replace(/'/g, `'\\''`)}'`;
 const word = (text: string) => (/^[\w@%+=:,./-]+$/.test(text) ? text : quoted(text));
 
 export function asCurl(request: CopyRequest): string {
-  const { origin, form, scenario, strategies } = request;
+  const { origin, form, scenario } = request;
   const body = JSON.stringify({
     scenario: changedPart(scenario, form),
-    strategies,
-    ...roadsOf(request),
+    strategies: drivenOf(request),
+    ...optionsOf(request),
     ...heldTo(request),
   });
   return `curl -sS ${word(`${origin}/api/v1/runs`)} -H 'content-type: application/json' -d ${quoted(body)}`;
 }
 
 export function asCommand(request: CopyRequest): string {
-  const { origin, form, scenario, strategies } = request;
-  const over = roadsOf(request);
+  const { origin, form, scenario } = request;
+  const { roads, baseline } = optionsOf(request);
   const changes = leavesOf(form).flatMap((leaf) => {
     const value = getAt(scenario, leaf.pointer);
     if (value === undefined || !isChanged(scenario, leaf)) return [];
     return [`--set ${word(`${dotted(leaf.pointer)}=${typeof value === "string" ? value : JSON.stringify(value)}`)}`];
   });
-  const roads = [
-    ...(over ? [`--roads ${over.roads}`] : []),
-    ...(over?.baseline ? [`--baseline ${word(over.baseline)}`] : []),
+  const options = [
+    ...(roads === undefined ? [] : [`--roads ${roads}`]),
+    ...(baseline === undefined ? [] : [`--baseline ${word(baseline)}`]),
   ];
   return [
     "ridelab run",
     ...changes,
-    `--strategy ${word(strategies.join(","))}`,
-    ...roads,
+    `--strategy ${word(drivenOf(request).join(","))}`,
+    ...options,
     ...request.requirements.map((each) => `--require ${word(requirementText(each))}`),
     `--server ${word(origin)}`,
   ].join(" ");
@@ -98,8 +107,9 @@ function literal(value: JsonValue, depth = 1): string {
 }
 
 export function asPython(request: CopyRequest): string {
-  const { origin, form, scenario, strategies } = request;
-  const over = Object.entries(roadsOf(request) ?? {}).map(([name, value]) => `, ${name}=${JSON.stringify(value)}`);
+  const { origin, form, scenario } = request;
+  const strategies = drivenOf(request);
+  const options = Object.entries(optionsOf(request)).map(([name, value]) => `, ${name}=${JSON.stringify(value)}`);
   const required = request.requirements.map((each) => `${INDENT}${literal(plain(each), 2)},`);
   const held = required.length > 0 ? ", requirements=requirements" : "";
   return [
@@ -108,7 +118,7 @@ export function asPython(request: CopyRequest): string {
     `scenario = ${literal(changedPart(scenario, form))}`,
     ...(required.length > 0 ? ["requirements = [", ...required, "]"] : []),
     `with Ridelab(${JSON.stringify(origin)}) as ridelab:`,
-    `${INDENT}run = ridelab.run(scenario, ${JSON.stringify(strategies).replace(/,/g, ", ")}${over.join("")}${held})`,
+    `${INDENT}run = ridelab.run(scenario, ${JSON.stringify(strategies).replace(/,/g, ", ")}${options.join("")}${held})`,
     "",
   ].join("\n");
 }

@@ -8,12 +8,12 @@ import { Icon } from "../../ui/icons";
 import ui from "../../ui/ui.module.css";
 import { UnstyledButton } from "@mantine/core";
 
-const ARROW = { better: "▼", worse: "▲", same: "", luck: "", unclear: "≈", none: "" } as const;
+const ARROW = { better: "▼", worse: "▲", same: "", random: "", unclear: "≈", none: "" } as const;
 
 const WORDS = {
   better: "better",
   worse: "worse",
-  luck: "within one road’s luck",
+  random: "not beyond the random variation of one road",
   unclear: "no certain difference",
 } as const;
 
@@ -37,7 +37,7 @@ export function ChangeText({ change }: { readonly change: Change | null }) {
   const { percent, half, verdict } = change;
   if (percent === null) return <span className={classes.change}>–</span>;
   return (
-    <span className={classes.change} data-verdict={verdict} title={verdict === "luck" ? WORDS.luck : undefined}>
+    <span className={classes.change} data-verdict={verdict} title={verdict === "random" ? WORDS.random : undefined}>
       <span aria-hidden>{ARROW[verdict]}</span> {formatPercent(percent, half)}
       {verdict in WORDS && <span className="visually-hidden">, {WORDS[verdict as keyof typeof WORDS]}</span>}
     </span>

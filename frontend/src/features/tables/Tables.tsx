@@ -111,7 +111,7 @@ function textOf({ shown, reference }: ResultView): string {
   const isMeasured = typeof getAt(scenario, "/road/profile") === "string"; // then there is no other road like it
   if (over === null && !isRandom(scenario)) return "A change without an arrow is zero.";
   if (over === null)
-    return `One road: a change without an arrow is zero or within one road’s luck${isMeasured ? "" : "; choose several roads"}.`;
+    return `One road: a change without an arrow is zero or not beyond the random variation of one road${isMeasured ? "" : "; choose several roads"}.`;
   const isPaired = reference === null || whyNotCompared(shown, reference.shown) === null;
   return isPaired
     ? "Changes are paired by road, with their 95 % interval; one whose interval includes zero has no arrow."

@@ -18,11 +18,11 @@ describe("change against the baseline", () => {
     expect(changeAgainst(1.006, 1).verdict).toBe("worse");
   });
 
-  it("is luck where one road resolves no less", () => {
+  it("is random where one road resolves no less", () => {
     expect([1.1, 1.2, 0.9, 1].map((value) => changeAgainst(value, 1, { oneRoadNoise: 15 }).verdict)).toEqual([
-      "luck",
+      "random",
       "worse",
-      "luck",
+      "random",
       "same",
     ]);
   });
@@ -50,6 +50,7 @@ describe("a change over several roads", () => {
     expect(pairedChange({ mean: -40, low: -43, high: -37 })).toEqual({ percent: -40, half: 3, verdict: "better" });
     expect(pairedChange({ mean: 4, low: 1, high: 7 }).verdict).toBe("worse");
     expect(pairedChange({ mean: -4, low: -9, high: 1 }).verdict).toBe("same");
+    expect(pairedChange({ mean: 4, low: 1, high: 7 }, true).verdict).toBe("same"); // both means show the same digits
     expect(formatPercent(-40, 3)).toBe("−40\u2009±\u20093\u2009%");
     expect([-12e3, 9999, 12e3].map((percent) => formatPercent(percent))).toEqual([
       "< −9999\u2009%",

@@ -3,8 +3,8 @@
 import type { Interval, Catalogue, Quantity, Summary } from "../../api/types";
 import { formatResult, formatInput, prettyUnit } from "../../units/format";
 
-/** `luck`: smaller than what one road tells from luck. `unclear`: its interval, which is shown, holds zero. */
-export type Verdict = "better" | "worse" | "same" | "luck" | "unclear" | "none";
+/** `random`: not beyond the random variation of one road. `unclear`: its interval, which is shown, contains zero. */
+export type Verdict = "better" | "worse" | "same" | "random" | "unclear" | "none";
 
 export interface Change {
   /** In percent, negative is lower; `null` where there is nothing to compare with. */
@@ -23,7 +23,7 @@ const RESOLVED = 1e-6;
 interface OnOneRoad {
   /** From the values to the unit shown. */
   readonly scale?: number;
-  /** Smaller changes [%] may be luck. */
+  /** Smaller changes [%] may be random. */
   readonly oneRoadNoise?: number;
 }
 
@@ -44,13 +44,17 @@ export function changeAgainst(
   const percent = ((value - baseline) / Math.abs(baseline)) * 100;
   const change = (verdict: Verdict): Change => ({ percent, half: 0, verdict });
   if (Math.abs(percent) < NOTHING) return { ...change("same"), percent: 0 };
-  if (formatResult(value * scale) === formatResult(baseline * scale)) return change("same");
-  return change(Math.abs(percent) < oneRoadNoise ? "luck" : percent < 0 ? "better" : "worse");
+  if (areAlike(value, baseline, scale)) return change("same");
+  return change(Math.abs(percent) < oneRoadNoise ? "random" : percent < 0 ? "better" : "worse");
 }
 
-/** A change over several roads; one whose interval holds zero is none that these roads resolve. */
-export function pairedChange({ mean, low, high }: Interval): Change {
-  const open = Math.abs(mean) < NOTHING || (low <= 0 && high >= 0);
+/** Whether two values show as the same digits in the unit that `scale` leads to. */
+export const areAlike = (value: number | null | undefined, other: number | null | undefined, scale: number): boolean =>
+  typeof value === "number" && typeof other === "number" && formatResult(value * scale) === formatResult(other * scale);
+
+/** A change over several roads; none where its interval contains zero, or where both means show as the same digits. */
+export function pairedChange({ mean, low, high }: Interval, isAlike = false): Change {
+  const open = isAlike || Math.abs(mean) < NOTHING || (low <= 0 && high >= 0);
   return { percent: mean, half: high - mean, verdict: open ? "same" : mean < 0 ? "better" : "worse" };
 }
 

@@ -10,7 +10,8 @@ import {
 } from "../../lab/compare";
 import { makeResultView } from "../../lab/resultView";
 import type { Result } from "../../lab/result";
-import { byStrategy, changeOf, entryGroups, lowestOf } from "./entries";
+import { withFields } from "../../scenario/fields";
+import { byStrategy, changeOf, entryGroups, isRandom, lowestOf } from "./entries";
 
 const PEAK = { window: "bump", signal: "body_acceleration", statistic: "peak" } as const;
 const STRATEGIES = [
@@ -105,7 +106,7 @@ describe("the change of each strategy of each variant", () => {
     expect(ofLv({}, otherSeed)?.verdict).toBe("none");
   });
 
-  it("on one road is within luck below what it resolves of the two strategies", () => {
+  it("on one road may be random below what it resolves of the two strategies", () => {
     const close = shown("now", 1.1, 1.2);
     const resultView = makeResultView(close, STRATEGIES, ["lv", "passive"], DEFAULT_VIEW, {
       ...NOTHING_COMPARED,
@@ -115,8 +116,8 @@ describe("the change of each strategy of each variant", () => {
       const part = { ...resultView, reference: reference === "baseline" ? null : (resultView.pins[0] ?? null) };
       return entryGroups(part)[0]?.entries.map((entry) => changeOf(part, entry, PEAK)?.verdict);
     };
-    expect(verdicts("baseline")).toEqual(["luck", undefined]);
-    expect(verdicts(pinReference("soft"))).toEqual(["luck", "worse"]);
+    expect(verdicts("baseline")).toEqual(["random", undefined]);
+    expect(verdicts(pinReference("soft"))).toEqual(["random", "worse"]);
   });
 });
 
@@ -128,4 +129,27 @@ it("The same rows stand by variant or by strategy, and one of them has the lowes
     ["passive", null, "Soft"],
   ]);
   expect(lowestOf(variants, PEAK)).toBe(1);
+});
+
+describe("what is random", () => {
+  const smooth = {
+    road: { roughness: 0, profile: null },
+    mismatch: { preview_noise: 0 },
+    estimation: { kind: "exact" },
+    hil: { noise: 0, jitter: 0, packet_loss: 0 },
+  };
+
+  it.each([
+    ["road.roughness", 1e-6],
+    ["road.profile", "a road"],
+    ["mismatch.preview_noise", 1e-4],
+    ["estimation.kind", "kalman"],
+    ["hil.noise", 0.001],
+    ["hil.jitter", 0.001],
+    ["hil.packet_loss", 0.01],
+  ])("is a road with %s, set or varied", (name, value) => {
+    expect(isRandom(smooth)).toBe(false);
+    expect(isRandom(withFields(smooth, { [name]: value }))).toBe(true);
+    expect(isRandom(smooth, ["road.bump.height", name])).toBe(true);
+  });
 });

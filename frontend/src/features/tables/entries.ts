@@ -17,7 +17,7 @@ import { valueAt, type MetricPath, type WindowMetric } from "../../lab/metricPat
 import { pointerOf } from "../../scenario/fields";
 import { getAt } from "../../scenario/path";
 import { formatNumber, formatResult } from "../../units/format";
-import { changeAgainst, pairedChange, type Change } from "./change";
+import { areAlike, changeAgainst, pairedChange, type Change } from "./change";
 
 export interface Entry {
   readonly key: string;
@@ -114,7 +114,10 @@ export function changeBetween(
 ): Change | null {
   if (shown.over && !("run" in metric)) {
     const change = pairedAt(paired, strategy.id, metric);
-    return paired === undefined ? null : change ? pairedChange(change) : NONE;
+    if (paired === undefined) return null;
+    return change
+      ? pairedChange(change, areAlike(valueAt(summary, metric), valueAt(base.summary, metric), scale))
+      : NONE;
   }
   return changeAgainst(valueAt(summary, metric), valueAt(base.summary, metric), {
     scale,
@@ -162,7 +165,7 @@ function pairedAt(
   return own?.[metric.window][metric.signal]?.[metric.statistic];
 }
 
-/** Smaller changes [%] between these strategies may be one road's luck; times, speeds and what is not random have none. */
+/** Smaller changes [%] between these strategies may be the random variation of one road; times, speeds and what is not random have none. */
 export function oneRoadNoiseOf(
   strategies: readonly Pick<Strategy, "one_road_resolution">[],
   metric: MetricPath,
@@ -173,7 +176,7 @@ export function oneRoadNoiseOf(
   return Math.max(...strategies.map((strategy) => strategy.one_road_resolution[statistic] ?? 0));
 }
 
-/** By dotted name the values without which a result hinges on luck, as `Scenario.is_random` of the core has it. */
+/** By dotted name the values with which nothing in a result is random, as `Scenario.is_random` of the core has it. */
 const NOT_RANDOM: Readonly<Record<string, JsonValue>> = {
   "road.roughness": 0,
   "road.profile": null,

@@ -30,8 +30,8 @@ const STEPS: readonly Step[] = [
     targets: ["section[data-figure=body_acceleration]"],
   },
   {
-    title: "See who is better, and whether it is luck",
-    text: "The best value of each column is bold. A change has an arrow where it is more than one road’s luck; choose several roads above for means with intervals.",
+    title: "See who is better, and whether that is random",
+    text: "The best value of each column is bold. A change has an arrow where it is beyond the random variation of one road; choose several roads above for means with intervals.",
     targets: ["section[aria-label=Comparison] [role=region]"],
   },
   {

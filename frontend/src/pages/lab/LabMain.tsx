@@ -9,7 +9,7 @@ import { useCompared, usePaired } from "../../features/compare/useCompared";
 import { endOffer, tourOffered } from "../../features/tour/offered";
 import { useActionButton } from "../../lab/actions";
 import { useLab, useView, useLabContext } from "../../lab/context";
-import { partShown, withBaseline } from "../../lab/resultView";
+import { baselineOf, partShown, withBaseline } from "../../lab/resultView";
 import { Results } from "./Results";
 import classes from "../../ui/shell.module.css";
 import { LazyPart } from "../../ui/LazyPart";
@@ -35,19 +35,21 @@ export function LabMain({ strategies }: { readonly strategies: readonly Strategy
     useLab((state) => state.shown),
   );
   const selected = useLab((state) => state.strategies);
-  const { axis, zoom, baseline, reference, differences, requirements } = useView();
+  const { axis, zoom, baseline: chosen, reference, differences, requirements } = useView();
   const compared = useDeferredWhile(isLive, useCompared());
   // Apart: another baseline leaves what is drawn as it is.
   const part = useMemo(
     () => (shown ? partShown(shown, strategies, selected, { axis, zoom }) : null),
     [shown, strategies, selected, axis, zoom],
   );
+  const baseline = shown && baselineOf(shown, chosen);
   const paired = usePaired(part, compared, { baseline, reference });
-  const judged = useJudged(part, compared, requirements, baseline);
+  const judged = useJudged(part, compared, requirements, baseline ?? chosen);
   const resultView = useMemo(
     () =>
-      part && withBaseline(part, { baseline, reference, differences }, compared, { roadPairedChanges: paired, judged }),
-    [part, baseline, reference, differences, compared, paired, judged],
+      part &&
+      withBaseline(part, { baseline: chosen, reference, differences }, compared, { roadPairedChanges: paired, judged }),
+    [part, chosen, reference, differences, compared, paired, judged],
   );
   const head = useMemo(
     () => (

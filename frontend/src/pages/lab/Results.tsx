@@ -77,7 +77,7 @@ export const Results = memo(function Results({ strategies, resultView }: Props) 
 });
 
 /** How high they will be [px], by the window's width: texts and tools wrap, and from `sm` on the form stands beside them. */
-const CONCLUSION = { base: 111, xs: 76, sm: 111, md: 76, lg: 60 };
+const CONCLUSION = { base: 129, xs: 94, sm: 111, md: 76 };
 const CAR = { base: 168, sm: 206, lg: 168 };
 
 interface PartProps {
@@ -88,7 +88,7 @@ const Conclusion = memo(function Conclusion({ resultView }: PartProps) {
   return (
     <>
       <LazyPart fallback={<Skeleton h={CONCLUSION} radius={8} />}>
-        <VerdictLine resultView={simulatedPart(resultView)} />
+        <VerdictLine resultView={resultView} />
         <ChangeChips resultView={simulatedPart(resultView)} />
       </LazyPart>
       <VehicleCautions resultView={resultView} />

@@ -101,7 +101,9 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
           {first !== null &&
             ` Crosses: a requirement fails, first at ${fieldTexts(columns, first, batch.fields).join(", ")}.`}
           {grid.unsettled.flat().includes(true) &&
-            (roads > 1 ? " Pale: the 95 % interval over the roads holds zero." : " Pale: within one road’s luck.")}
+            (roads > 1
+              ? " Pale: the 95 % interval over the roads contains zero."
+              : " Pale: not beyond the random variation of one road.")}
           {isFinal(batch) ? gaps > 0 && ` ${count(gaps, "gap")} without a value.` : " Faint: as the nearest point."} A
           click on a cell opens its {roads > 1 && "first "}run; drag to zoom, double click for all.
         </Text>

@@ -69,7 +69,7 @@ describe("a map", () => {
     ]);
   });
 
-  it("knows where a tyre was in the air, and where a change may be luck", () => {
+  it("knows where a tyre was in the air, and where a change may be random", () => {
     const grid = mapGrid(
       { ...COLUMNS, "events.airborne_ms": [0, 0, 5, 0, 0.5, 0, 0, 9] },
       { ...QUESTION, against: "passive", oneRoadNoise: 60 },

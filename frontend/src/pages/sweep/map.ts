@@ -15,7 +15,7 @@ export interface MapGrid {
   readonly values: readonly (readonly (number | null)[])[];
   /** Half the width of a change's interval over the roads; 0 on one. */
   readonly halves: readonly (readonly number[])[];
-  /** Whether a change may be luck: its interval over the roads holds zero, or it is smaller than one road's luck. */
+  /** Whether a change may be random: its interval over the roads contains zero, or it is not beyond the random variation of one road. */
   readonly unsettled: Marked;
   /** The strategy's rows in the table, one for each road. */
   readonly rows: readonly (readonly (readonly number[])[])[];
@@ -77,7 +77,7 @@ interface Question {
   readonly scale: number;
   readonly strategy: StrategyId;
   readonly against: StrategyId | null;
-  /** Smaller changes [%] on one road may be luck. */
+  /** Smaller changes [%] on one road may be random. */
   readonly oneRoadNoise: number;
 }
 

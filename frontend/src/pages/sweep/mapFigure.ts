@@ -90,7 +90,7 @@ const GROUND = { light: "#ffffff", dark: "#1a1b1e" } as const;
 
 const INK = { light: "#101418", dark: "#f1f3f4" } as const;
 
-/** Over the cells: a veil where the change may be luck, crosses where a requirement fails. */
+/** Over the cells: a veil where the change may be random, crosses where a requirement fails. */
 function marks({ grid, failing, scheme }: MapParts): readonly (GridTrace | PointTrace)[] {
   const [xs, ys] = [grid.xs.map(named), grid.ys.map(named)];
   const veil: GridTrace = {
