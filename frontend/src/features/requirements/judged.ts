@@ -98,9 +98,10 @@ export function useJudged(
   const shown = part?.shown;
   const asked = useMemo(() => {
     const results = shown && requirements.length > 0 ? [shown, ...pins.map((pin) => pin.shown)] : [];
-    const runs = results.flatMap(({ runId, summaries }) =>
-      runId === null ? [] : [[runId, baseline in summaries ? baseline : null] as const],
-    );
+    const runs = results.flatMap(({ runId, summaries, failed }) => {
+      const hasBaseline = baseline in summaries || failed.some(({ strategy }) => strategy === baseline);
+      return runId === null ? [] : [[runId, hasBaseline ? baseline : null] as const];
+    });
     return [...new Map(runs)];
   }, [shown, pins, requirements, baseline]);
   const here = useMemo(
