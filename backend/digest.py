@@ -22,11 +22,6 @@ STRATEGY_PATTERN = f"{ID}|{NAME_PATTERN}"  # of a strategy's name in a run: simu
 RUN_ID_LENGTH = 22  # base64url characters: 132 bits of SHA-256
 
 
-def uncacheable_key() -> str:
-    """A key that no lookup finds: for a failure that may not happen the next time."""
-    return secrets.token_urlsafe(32)
-
-
 def random_id() -> str:
     """An id of 128 random bits, for what has no content to be named by; begins as every id does."""
     while not (text := secrets.token_urlsafe(16))[0].isalnum():

@@ -216,6 +216,9 @@ class DriveResult(Answer):
 
     status: Literal["ok"]
     source: Source | None = Field(description="What the law was when it was driven; null for Ridelab's own")
+    core_version: str | None = Field(
+        None, description="That computed it; only there where it is another one than the run's, see `unavailable`"
+    )
     compute_ms: float = Field(description="The worker's own time [ms]; work shared between strategies counts once")
     events: dict[str, Event] = keys_of(EVENTS, "Catalogue: events")
     reference: dict[str, float | None] = keys_of(REFERENCES, "Lines a plot draws; catalogue: references")
@@ -249,14 +252,16 @@ class StrategyResult(DriveResult):
 
 
 class StrategyFailure(Answer):
-    """A strategy the core refuses for this scenario, and why."""
+    """A strategy that failed, and why."""
 
     status: Literal["failed"]
     compute_ms: float
     reason: str
-    kind: Literal["refused", "too-expensive"] = Field(
+    kind: Literal["refused", "too-expensive", "unavailable"] = Field(
         "refused",
-        description="`too-expensive` where the run would take more computing than one may: change one of `fields`",
+        description="`refused` and `too-expensive` follow from scenario and program; of the latter the run would take "
+        "more computing than one may: change one of `fields`. `unavailable` may have passed: it is not stored, and is "
+        "tried again when it is asked for",
     )
     fields: list[str] = Field([], description="Dotted names of scenario fields that make it cheaper")
 

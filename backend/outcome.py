@@ -4,6 +4,7 @@ Workers import this: no web and no database here.
 """
 
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, Self
 
@@ -12,11 +13,14 @@ import orjson
 from numpy.typing import NDArray
 
 from backend.json_types import JsonObject
-from sim_core.controller_files import ControllerFileError
-from sim_core.errors import MissingRoadError, RidelabError, TooExpensiveError
+from sim_core.errors import RefusedError, RidelabError, TooExpensiveError
 
 SOURCE = b'{"source":'  # begins the JSON of a controller of one's own
 OBJECTS = 1500  # what an outcome's own objects take, and a cache's entry [bytes]
+FAILED = "failed"  # a status
+# Kinds of failures. The first two follow from scenario and program, and are stored.
+REFUSED, TOO_EXPENSIVE, UNAVAILABLE = "refused", "too-expensive", "unavailable"
+UNSTORED_FAILURE = b'{"failed":true}'  # the JSON of an expired result that failed, for a reason that may have passed
 JSON_OPTIONS = orjson.OPT_SERIALIZE_NUMPY
 
 
@@ -38,12 +42,15 @@ class Outcome:
     """What a strategy gave on one scenario, or why the core refused it.
 
     Attributes:
-        key: Names the stored result by what it depends on; of a failure that is not `cacheable` nothing finds it.
+        key: Names the stored result by what it depends on.
         strategy: Its id.
-        status: `ok` or `failed`; `expired` where retention has removed the JSON.
-        json: An object: `StrategyResult.summary()`, or `reason` and perhaps `kind` and `fields` of a failure.
+        status: `ok` or `failed`; `expired` where there is no JSON: retention has removed it, or a failure was none that
+            is stored.
+        json: An object: `StrategyResult.summary()`, or `reason`, `kind` and `fields` of a failure.
         compute_ms: The worker's own time [ms]; work shared between strategies is counted at the first.
-        cacheable: Whether the scenario is to blame for a failure; else it is tried again next time.
+        cacheable: Whether it follows from scenario and program alone. Any other failure is answered once, is neither
+            stored nor cached, and is tried again when it is asked for.
+        core_version: That computed it; None of one that was not stored when it was read.
         cached: Whether it was there, or being computed, before the request that got it.
         fallbacks: Control steps whose QP found no answer.
         sampling: Which samples `series` has; None where none were asked for.
@@ -56,28 +63,36 @@ class Outcome:
     json: bytes
     compute_ms: float
     cacheable: bool = True
+    core_version: str | None = None
     cached: bool = False
     fallbacks: float = 0.0
     sampling: Sampling | None = None
     series: NDArray[np.float32] | None = None
 
     @classmethod
-    def refused(
+    def failure(
         cls, key: str, strategy: str, error: RidelabError, begin: float, sampling: Sampling | None = None
     ) -> Self:
-        """Of what the core refused; `begin` is when `time.perf_counter()` began."""
-        content: JsonObject = {"reason": error.message}
+        """Return the outcome of a strategy that failed; `begin` is when `time.perf_counter()` began."""
+        fields: tuple[str, ...] = ()
         if isinstance(error, TooExpensiveError):
-            content |= {"kind": "too-expensive", "fields": list(error.fields)}
+            kind, fields = TOO_EXPENSIVE, error.fields
+        else:
+            kind = REFUSED if isinstance(error, RefusedError) else UNAVAILABLE
         return cls(
             key=key,
             strategy=strategy,
-            status="failed",
-            json=orjson.dumps(content),
+            status=FAILED,
+            json=failure_json(error.message, kind, fields),
             compute_ms=elapsed_ms(begin),
-            cacheable=not isinstance(error, MissingRoadError | ControllerFileError),
+            cacheable=kind != UNAVAILABLE,
             sampling=sampling,
         )
+
+    @property
+    def failed_unstored(self) -> bool:
+        """Whether it is a stored failure without its reason, which is tried again."""
+        return self.json == UNSTORED_FAILURE
 
     @property
     def summary(self) -> JsonObject:
@@ -86,18 +101,27 @@ class Outcome:
         return content
 
     @property
+    def source(self) -> JsonObject | None:
+        """The file of the custom controller that it is of, with its digest; None where it does not say."""
+        source: JsonObject | None = self.summary.get("source") if self.json.startswith(SOURCE) else None
+        return source
+
+    @property
     def size(self) -> int:
         """Memory it takes in a cache, roughly [bytes]."""
         return OBJECTS + len(self.json) + (self.series.nbytes if self.series is not None else 0)
 
     def answer(self, **fields: object) -> orjson.Fragment:
-        """Its entry in the answer about a run, with these members beside its own; a failure's kind is never missing."""
+        """Return its entry in the answer about a run, with these members beside its own."""
         head = {"status": self.status, "compute_ms": self.compute_ms, **fields}
         if self.status == "ok" and not self.json.startswith(SOURCE):
             head["source"] = None
-        if self.status != "ok":
-            return orjson.Fragment(orjson.dumps({**head, "kind": "refused", "fields": [], **self.summary}))
         return orjson.Fragment(orjson.dumps(head)[:-1] + b"," + self.json[1:])
+
+
+def failure_json(reason: str, kind: str, fields: Sequence[str] = ()) -> bytes:
+    """Return the JSON of a failure."""
+    return orjson.dumps({"reason": reason, "kind": kind, "fields": list(fields)})
 
 
 def elapsed_ms(begin: float) -> float:

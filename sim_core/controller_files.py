@@ -18,7 +18,7 @@ from pathlib import Path
 from types import ModuleType
 
 from sim_core.control.controller import Controller
-from sim_core.errors import ForceError, RidelabError
+from sim_core.errors import ForceError, RefusedError, RidelabError
 from sim_core.fmi.controller import controllers_of_fmu
 
 VARIABLE = "RIDELAB_CONTROLLERS"
@@ -32,6 +32,26 @@ Signature = tuple[tuple[int, int], ...]  # of each file: when it was last writte
 
 class ControllerFileError(RidelabError):
     """A controller file cannot be used; the message has its name and, where there is one, the line."""
+
+
+class ControllerCodeError(ControllerFileError, RefusedError):
+    """A controller file's own code is to blame: it fails alike on every machine."""
+
+
+# Errors of a controller's own code that it raises alike on every machine. Others can have passed by the next try: one
+# of a file or a network (OSError), of memory, of an import, of a thread that cannot be started (RuntimeError).
+CODE_ERRORS = (
+    ArithmeticError,
+    AssertionError,
+    AttributeError,
+    LookupError,
+    NameError,
+    NotImplementedError,
+    RefusedError,
+    SyntaxError,
+    TypeError,
+    ValueError,
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -110,7 +130,7 @@ def load_all() -> Controllers:
         for name, controller in load(source).items():
             if name in controllers:
                 other = inspect.getfile(controllers[name])
-                raise ControllerFileError(f"{source}: {other} has a controller of the id {name} too")
+                raise ControllerCodeError(f"{source}: {other} has a controller of the id {name} too")
             controllers[name] = controller
     return controllers
 
@@ -143,11 +163,11 @@ def load(source: str) -> Controllers:
     except KeyError:
         raise ControllerFileError(f"{source}: no installed package has it") from None
     except (Exception, SystemExit) as error:
-        raise ControllerFileError(said_by(error, source)) from error
+        raise file_error(error, source) from error
     if isinstance(loaded, ModuleType):
         return _with_digest(Path(str(loaded.__file__)), _controllers(Path(str(loaded.__file__)), loaded))
     if not (isinstance(loaded, type) and issubclass(loaded, Controller) and loaded.id):
-        raise ControllerFileError(f"{source}: it names no module and no class derived from sim_core.Controller")
+        raise ControllerCodeError(f"{source}: it names no module and no class derived from sim_core.Controller")
     return _with_digest(Path(inspect.getfile(loaded)), {loaded.id: loaded})
 
 
@@ -197,7 +217,7 @@ def _run(path: Path) -> Controllers:
     try:
         exec(compile(source, str(path), "exec"), vars(module))  # noqa: S102 - it is what was asked for
     except (Exception, SystemExit) as error:
-        raise ControllerFileError(said_by(error, path)) from error
+        raise file_error(error, path) from error
     return _with_digest(path, _controllers(path, module), source)
 
 
@@ -206,7 +226,8 @@ def _fmu(path: Path) -> Controllers:
     try:
         return _with_digest(path, controllers_of_fmu(path, content), content)
     except RidelabError as error:
-        raise ControllerFileError(f"{path}: {error.message}") from None
+        kind = ControllerCodeError if isinstance(error, RefusedError) else ControllerFileError
+        raise kind(f"{path}: {error.message}") from None
 
 
 # What loads a file, by its suffix: a further kind of controller needs a function that gives its classes, each with a
@@ -236,13 +257,26 @@ def _controllers(path: Path, module: ModuleType) -> Controllers:
         if not name:
             continue
         if not isinstance(name, str):
-            raise ControllerFileError(f"{path}: the id of {value.__name__} is no text")
+            raise ControllerCodeError(f"{path}: the id of {value.__name__} is no text")
         if controllers.get(name, value) is not value:
-            raise ControllerFileError(f"{path}: two controllers have the id {name}")
+            raise ControllerCodeError(f"{path}: two controllers have the id {name}")
         controllers[name] = value
     if not controllers:
-        raise ControllerFileError(f"{path}: it has no class derived from sim_core.Controller with an id")
+        raise ControllerCodeError(f"{path}: it has no class derived from sim_core.Controller with an id")
     return controllers
+
+
+def file_error(error: BaseException, path: Path | str) -> ControllerFileError:
+    """Return what to raise for an error of somebody's controller: a `ControllerCodeError` if its code is to blame.
+
+    An error that another one led to counts as that one: what `open` raised does not become the code's own by being
+    raised again as a ValueError.
+    """
+    causes = [error]
+    while (earlier := causes[-1].__cause__ or causes[-1].__context__) is not None:
+        causes.append(earlier)
+    of_code = all(isinstance(each, CODE_ERRORS) for each in causes)
+    return (ControllerCodeError if of_code else ControllerFileError)(said_by(error, path))
 
 
 def said_by(error: BaseException, path: Path | str) -> str:

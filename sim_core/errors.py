@@ -31,7 +31,15 @@ class UnknownNameError(RidelabError):
     """A strategy, preset, field, signal or metric that does not exist; the message lists those that do."""
 
 
-class ForceError(RidelabError):
+class RefusedError(RidelabError):
+    """A run that fails alike on every machine: it follows from the scenario and the program alone.
+
+    Whoever stores results may store such a failure as one. Every other error can have passed by the next try: a disk,
+    memory, a mount, a compiler or time may have caused it.
+    """
+
+
+class ForceError(RefusedError):
     """A controller did not give two finite numbers.
 
     Args:
@@ -44,7 +52,7 @@ class ForceError(RidelabError):
         self.line = line
 
 
-class UnstableVehicleError(RidelabError):
+class UnstableVehicleError(RefusedError):
     """The passive car has no stationary response, so a normalised cost cannot be formed."""
 
 
@@ -52,7 +60,7 @@ class MissingRoadError(RidelabError):
     """The scenario names a measured road whose heights nobody handed over."""
 
 
-class TooExpensiveError(RidelabError):
+class TooExpensiveError(RefusedError):
     """The run costs more than one run may, on any machine: it depends on the scenario alone.
 
     Args:

@@ -8,7 +8,7 @@ from math import ceil, factorial, log2
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.errors import RidelabError
+from sim_core.errors import RefusedError
 
 NOT_STABILISABLE = "No stabilising controller was found for these weights and this vehicle"
 _DOUBLINGS = 60
@@ -83,7 +83,7 @@ def riccati(A: FloatArray, B: FloatArray, Q: FloatArray, R: FloatArray, N: Float
         H = grown
         if change <= _SETTLED:
             return H
-    raise RidelabError(NOT_STABILISABLE)
+    raise RefusedError(NOT_STABILISABLE)
 
 
 def solve(a: FloatArray, b: FloatArray) -> FloatArray:
@@ -95,4 +95,4 @@ def solve(a: FloatArray, b: FloatArray) -> FloatArray:
     try:
         return np.asarray(np.linalg.solve(a, b), dtype=np.float64)
     except np.linalg.LinAlgError:
-        raise RidelabError(NOT_STABILISABLE) from None
+        raise RefusedError(NOT_STABILISABLE) from None

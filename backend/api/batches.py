@@ -83,7 +83,7 @@ async def create_batch(
     responses={**jobs.OWNERS, 409: problems.ANSWER},
 )
 async def resume_batch(job_id: jobs.JobId, service: Service, owner: Caller) -> Response:
-    """A cancelled one goes on where it stopped; one under way is answered as it is. With tokens only its owner may."""
+    """What was cancelled of it, or failed for a reason that may have passed, is computed; with tokens its owner may."""
     return json_answer(await service.answer(await service.resume(job_id, owner)))
 
 

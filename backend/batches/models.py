@@ -160,8 +160,11 @@ class BatchRow(Answer):
     status: Literal["ok", "failed", "waiting", "cancelled"]
     reason: Annotated[str | None, Field(description="Of a failed run")] = None
     kind: Annotated[
-        Literal["too-expensive"] | None,
-        Field(description="`too-expensive` where a failed run would take more computing than one may"),
+        Literal["refused", "too-expensive"] | None,
+        Field(
+            description="Of a failure that follows from scenario and program; `too-expensive` where the run would take "
+            "more computing than one may"
+        ),
     ] = None
     fields: Annotated[list[str] | None, Field(description="Which scenario fields make such a run cheaper")] = None
 

@@ -173,17 +173,19 @@ class BatchService:
         return Batches(batches=[BatchItem.of(job, positions[job.id]) for job in jobs], next=after)
 
     async def resume(self, job_id: str, owner: str | None) -> StoredJob:
-        """Continue a cancelled batch; one that has not ended is returned unchanged.
+        """Continue a batch: what was cancelled of it, or failed for a reason that may have passed.
+
+        One that has not ended is returned unchanged.
 
         Raises:
             NotFoundError: There is none.
             ForbiddenError: It belongs to another token.
-            ConflictError: It is done.
+            ConflictError: Nothing of it is left to run.
         """
         job = await self.jobs.owned(job_id, owner)
         if job.state in UNFINISHED:
             return job
-        if job.state == "done":
+        if job.state == "done" and not await self.store.read(self.store.job_runs.may_be_tried_again, job_id):
             raise ConflictError("It is done: nothing is left to run.", kind="done")
         return await self.jobs.resume(job_id)
 

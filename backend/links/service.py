@@ -2,7 +2,7 @@
 
 import asyncio
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
@@ -72,8 +72,8 @@ class Links:
         self.gate.linking(client, links=len(shared), pinned=len(missing))
         series = [await self._pin(each, client) for each in shared]
         for each, pinned in zip(shared[1:], series[1:], strict=True):
-            await self._save_run(each.stored.id, {}, pinned, client)
-        slug = await self._save_run(run_id, _sent(view, requirements), series[0], client)
+            await self._save_run(each.stored, {}, pinned, client)
+        slug = await self._save_run(shared[0].stored, _sent(view, requirements), series[0], client)
         complete = set(shared[0].missing.values()) <= series[0].keys()
         return CreatedLink(slug=slug, url=url(slug), series_pinned=bool(_histories(shared[0].stored)) and complete)
 
@@ -126,7 +126,9 @@ class Links:
             again = await self.runs.stored(stored.id, client)
             stored = replace(again, schema_version=stored.schema_version)
             link = await self._load(slug) or link  # now it knows that something was damaged
-        keys = set(_histories(stored).values())
+        # Not of a strategy that failed when it was shared, and that another core version has computed since.
+        shared = [item for item in stored.shown if item.core_version in (None, stored.core_version)]
+        keys = {item.key for item in shared}
         pinned = await self.store.read(self.store.links.pinned, keys)
         return _opened(
             link,
@@ -165,19 +167,24 @@ class Links:
             series = await self.workers.call(pins.make, scenario, list(missing), client=client, cost=cost)
         return {missing[name]: content for name, content in series.items()}
 
-    async def _save_run(self, run_id: str, view: JsonObject, series: Mapping[str, bytes], client: str) -> str:
+    async def _save_run(self, run: StoredRun, view: JsonObject, series: Mapping[str, bytes], client: str) -> str:
         """Save a link to a run; results that were removed since the run was read are computed again first."""
-        while (slug := await self._save("run", run_id, view, series)) is None:
-            await self.runs.stored(run_id, client)
+        while (slug := await self._save("run", run.id, view, series, run.failed_now)) is None:
+            run = await self.runs.stored(run.id, client)
         return slug
 
     async def _save(
-        self, kind: Literal["run", "batch"], target: str, view: JsonObject, series: Mapping[str, bytes]
+        self,
+        kind: Literal["run", "batch"],
+        target: str,
+        view: JsonObject,
+        series: Mapping[str, bytes],
+        failed: Collection[str] = (),
     ) -> str | None:
         """The new link's slug; None where a result of the run, or the batch, was removed meanwhile."""
         slug = digest.random_id()
         link = StoredLink(slug=slug, kind=kind, target=target, view=view)
-        return slug if await self.store.write(self.store.links.save, link, series) else None
+        return slug if await self.store.write(self.store.links.save, link, series, failed) else None
 
     async def _load(self, slug: str) -> StoredLink | None:
         return await self.store.read(self.store.links.load, slug) if re.fullmatch(SLUG_PATTERN, slug) else None

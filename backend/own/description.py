@@ -10,7 +10,7 @@ from backend.json_types import JsonObject
 from sim_core import Controller, DampingController, EcuController, LinearLaw, PredictiveController, SpeedPlan
 from sim_core.check_controller import declaration_faults
 from sim_core.control.controller import Option, ScenarioField, option_fields
-from sim_core.controller_files import ControllerFileError
+from sim_core.controller_files import ControllerCodeError
 from sim_core.strategies.reads import effective_preview
 
 LONGEST_LABEL = 80
@@ -61,12 +61,12 @@ def described(controller: type[Controller]) -> Description:
     """A controller's description.
 
     Raises:
-        ControllerFileError: It declares something that cannot be used.
+        ControllerCodeError: It declares something that cannot be used.
     """
     file = Path(inspect.getfile(controller))
     wrong = declaration_faults(controller)
     if wrong:
-        raise ControllerFileError(f"{file}, class {controller.__name__}: {'; '.join(wrong)}")
+        raise ControllerCodeError(f"{file}, class {controller.__name__}: {'; '.join(wrong)}")
     made = controller()
     fixed = {"preview": effective_preview(controller), "prediction_horizon": made.preview_steps}
     return Description(

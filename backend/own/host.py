@@ -20,7 +20,7 @@ from typing import Any, TypeVar
 
 from backend.stopwatch import Stopwatch
 from sim_core import controller_files
-from sim_core.controller_files import ControllerFileError, said_by
+from sim_core.controller_files import ControllerFileError, file_error, said_by
 from sim_core.errors import ForceError, RidelabError
 
 T = TypeVar("T")
@@ -75,7 +75,8 @@ class Host:
 
         Raises:
             SlowFileError: It did not end within that time.
-            ControllerFileError: The file's code failed or ended its process.
+            ControllerCodeError: The file's code failed, as it would on every machine.
+            ControllerFileError: It failed otherwise, or ended its process.
             RidelabError: As the function raises.
         """
         try:
@@ -168,8 +169,8 @@ def _answer(source: str, task: bytes) -> bytes:
         if isinstance(error, RidelabError) and not isinstance(error, ControllerFileError | ForceError):
             return pickle.dumps(error)
         folder = f"{Path(file).parent}{os.sep}"  # which is no business of whoever asked
-        said = error.message if isinstance(error, ControllerFileError) else said_by(error, file)
-        said = said.replace(folder, "")
         if isinstance(error, _OutOfTime):
-            return pickle.dumps(SlowFileError(said.replace(_OutOfTime.__name__, _unended(limit))))
-        return pickle.dumps(ControllerFileError(said))
+            said = said_by(error, file).replace(_OutOfTime.__name__, _unended(limit))
+            return pickle.dumps(SlowFileError(said.replace(folder, "")))
+        failure = error if isinstance(error, ControllerFileError) else file_error(error, file)
+        return pickle.dumps(type(failure)(failure.message.replace(folder, "")))

@@ -13,15 +13,16 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from backend.own.description import Description, described, stand_in
-from backend.own.host import Host, SlowFileError
+from backend.own.host import Host
 from sim_core import STRATEGIES, Controller, RidelabError, controller_files
 from sim_core.controller_files import INSTALLED, ControllerFileError, Signature
+from sim_core.errors import RefusedError
 
 logger = logging.getLogger(__name__)
 
 T = TypeVar("T")
 LOADING = 5.0  # a file may take to be loaded [s]
-TRY_AGAIN = 60.0  # after a file took longer, at first: a disk or network may have been slow [s]
+TRY_AGAIN = 60.0  # after a file could not be loaded for a reason that may pass: a disk, a package, time; at first [s]
 HOSTS = 2  # that a worker keeps, for the files driven last
 AT_ONCE = 4  # files described at once
 
@@ -36,7 +37,7 @@ class ControllerSource:
         descriptions: Of its controllers; of a broken file those it had, or one that stands for it.
         fault: Why none of them can be driven; None where they can.
         limit: A run may take so long [s].
-        slow_tries: How often its file took too long in a row.
+        tries: How often in a row its file could not be loaded for a reason that may pass.
         tried_at: When it was last loaded, by the monotonic clock [s].
     """
 
@@ -45,7 +46,7 @@ class ControllerSource:
     descriptions: tuple[Description, ...]
     fault: str | None
     limit: float
-    slow_tries: int = field(default=0, compare=False)
+    tries: int = field(default=0, compare=False)
     tried_at: float = field(default=0.0, compare=False)
 
     @property
@@ -132,8 +133,8 @@ def refresh(limit: float) -> None:
             _take(pool.map(look, controller_files.sources()))
 
 
-def slow() -> bool:
-    """Whether a file that took too long is due for another try; each pause is twice the one before."""
+def retry_due() -> bool:
+    """Check whether a file that could not be loaded is due for another try; each pause is twice the one before."""
     return any(map(_due, _sources))
 
 
@@ -155,7 +156,8 @@ def isolated(name: str, function: Callable[..., T], *args: Any) -> T:
     """`function(*args)`, which drives the strategy of that id: of one's own in the process that has its file.
 
     Raises:
-        ControllerFileError: The strategy's code failed, ended its process or did not end.
+        ControllerCodeError: The strategy's code failed, as it would on every machine.
+        ControllerFileError: It failed otherwise, ended its process or did not end.
         RidelabError: As the function raises.
     """
     if name not in _of:
@@ -215,7 +217,7 @@ def _take(sources: Iterable[ControllerSource]) -> None:
 def _look(source: str, last: ControllerSource | None, limit: float) -> ControllerSource:
     before = () if last is None else last.descriptions
     signature = _signature(source, before)
-    slow_tries = 0
+    tries = 0
     host = Host(source)
     _describing.add(host)
     try:
@@ -225,8 +227,8 @@ def _look(source: str, last: ControllerSource | None, limit: float) -> Controlle
         signature = after if signature is None or after is None or signature[0] == after[0] else signature
     except RidelabError as error:
         fault = error.message
-        if isinstance(error, SlowFileError):
-            slow_tries = 1 + (last.slow_tries if last is not None and last.signature == signature else 0)
+        if not isinstance(error, RefusedError):
+            tries = 1 + (last.tries if last is not None and last.signature == signature else 0)
         digest = hashlib.sha256(repr((fault, signature)).encode()).hexdigest()  # it has no result of the law before
         descriptions = tuple(replace(each, digest=digest) for each in before or [_unknown(source, digest)])
     finally:
@@ -238,7 +240,7 @@ def _look(source: str, last: ControllerSource | None, limit: float) -> Controlle
         descriptions=descriptions,
         fault=fault,
         limit=limit,
-        slow_tries=slow_tries,
+        tries=tries,
         tried_at=time.monotonic(),
     )
 
@@ -248,8 +250,8 @@ def _current(last: ControllerSource) -> bool:
 
 
 def _due(last: ControllerSource) -> bool:
-    pause = TRY_AGAIN * 2 ** (last.slow_tries - 1)
-    return last.slow_tries > 0 and time.monotonic() >= last.tried_at + pause
+    pause = TRY_AGAIN * 2 ** (last.tries - 1)
+    return last.tries > 0 and time.monotonic() >= last.tried_at + pause
 
 
 def _signature(source: str, descriptions: tuple[Description, ...]) -> Signature | None:

@@ -3,7 +3,7 @@
 import asyncio
 from collections.abc import Callable
 
-from backend.own.registry import adopt, close, controller_sources, refresh, slow, stale, try_again
+from backend.own.registry import adopt, close, controller_sources, refresh, retry_due, stale, try_again
 
 WAIT = 10.0  # a request waits so long for files that have changed; one that never ends holds nobody up for longer [s]
 
@@ -23,7 +23,7 @@ class Watch:
     async def current(self) -> None:
         """What there is now is known, or it takes long; nobody waits for another try of a file that was slow."""
         self._begin(refresh, stale)
-        self._begin(try_again, slow)
+        self._begin(try_again, retry_due)
         if refresh in self._looks:
             await asyncio.wait({self._looks[refresh]}, timeout=WAIT)
 

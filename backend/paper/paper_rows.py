@@ -64,7 +64,7 @@ def compute_row(scenario: Scenario, name: str, key: str) -> Outcome:
     try:
         json = orjson.dumps({"row": _row(scenario, name.removeprefix("paper."))}, option=JSON_OPTIONS)
     except RidelabError as error:
-        return Outcome.refused(key, name, error, begin)
+        return Outcome.failure(key, name, error, begin)
     return Outcome(key=key, strategy=name, status="ok", json=json, compute_ms=elapsed_ms(begin))
 
 

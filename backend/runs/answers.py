@@ -4,7 +4,7 @@ They have the shapes of `backend.models` and `backend.runs.over_roads`; what is 
 Over 50 roads they take 0.2 s: they are made in threads, beside the event loop.
 """
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import isfinite
 
@@ -20,6 +20,7 @@ from backend.store import StoredRun
 from backend.vehicle_facts import vehicle_facts
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import PAPER_METRICS
+from sim_core.comparison.caution import Caution
 from sim_core.comparison.compare import Comparison, compare_summaries, default_baseline
 from sim_core.comparison.intervals import Interval
 from sim_core.scenario import Scenario, Vehicle
@@ -47,6 +48,9 @@ def run_answer(
     fields: dict[str, JsonObject] = {name: {} for name in stored.by_strategy}
     if cached is not None:
         fields = {name: {"cached": value} for name, value in cached.items()}
+    for name, (first, *_) in stored.by_strategy.items():
+        if first.core_version not in (None, stored.core_version):
+            fields[name]["core_version"] = first.core_version
     head: JsonObject = {
         "id": stored.id,
         "core_version": stored.core_version,
@@ -80,7 +84,16 @@ def _comparison(stored: StoredRun, baseline: str | None, compared: Collection[st
         for item in stored.shown
         if compared is None or item.strategy == against or item.strategy in compared
     }
-    return compare_summaries(summaries, against, Scenario.model_validate(stored.scenario))
+    comparison = compare_summaries(summaries, against, Scenario.model_validate(stored.scenario))
+    return replace(comparison, cautions=(*comparison.cautions, *_other_versions(stored, summaries)))
+
+
+def _other_versions(stored: StoredRun, names: Iterable[str]) -> Iterator[Caution]:
+    """Say which strategies another core version has computed than the others: they had failed with that one."""
+    for item in stored.first_road:
+        if item.strategy in names and item.core_version not in (None, stored.core_version):
+            text = f"Core {item.core_version} computed {item.strategy}, and core {stored.core_version} the others."
+            yield Caution(kind="core_version", text=text, strategy=item.strategy)
 
 
 def _judged(stored: StoredRun, requirements: Sequence[Requirement], baseline: str | None) -> list[JsonObject]:

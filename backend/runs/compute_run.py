@@ -37,7 +37,7 @@ def compute(scenario: Scenario, strategy: str, key: str, sampling: Sampling | No
             raise ControllerFileError("Its file was saved meanwhile: run it again")
         return own.isolated(strategy, _compute, scenario, strategy, key, sampling)
     except RidelabError as error:
-        return Outcome.refused(key, strategy, error, begin, sampling)
+        return Outcome.failure(key, strategy, error, begin, sampling)
 
 
 def _compute(scenario: Scenario, strategy: str, key: str, sampling: Sampling | None) -> Outcome:

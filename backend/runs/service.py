@@ -5,8 +5,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
-from backend import digest
+from backend import digest, own
 from backend.cost.estimate import costs_of
+from backend.db.tables import EXPIRED
 from backend.errors import (
     InvalidError,
     NewerSchemaError,
@@ -17,7 +18,7 @@ from backend.gate import Gate
 from backend.json_types import JsonObject
 from backend.means_over_roads import seeded
 from backend.metrics import CACHE
-from backend.outcome import Outcome, Sampling
+from backend.outcome import FAILED, UNAVAILABLE, Outcome, Sampling, failure_json
 from backend.recordings.service import Recordings
 from backend.requirements import Requirement
 from backend.roads.service import MeasuredRoads
@@ -40,6 +41,16 @@ from sim_core.scenario.recorded import recording_id
 from sim_core.scenario.versions import NewerScenarioError, restored
 from sim_core.strategies import STRATEGIES
 from sim_core.strategies import strategies as known_strategies
+
+_FAILED_BEFORE: JsonObject = {
+    "status": FAILED,
+    "json": failure_json(
+        "It failed for a reason that may have passed, and its controller's file has changed or gone since: post the "
+        "scenario to run it again",
+        UNAVAILABLE,
+    ),
+    "cacheable": False,
+}
 
 
 @dataclass(eq=False, kw_only=True)
@@ -91,8 +102,6 @@ class Runs:
         costs = costs_of(scenario, names)
         self.gate.check_cost(roads * sum(costs.values()))
         outcomes = await self._computed(scenario, names, roads, client, costs)
-        if not all(item.cacheable for item in outcomes):  # asked again: tried again
-            run_id = digest.random_id()
         run = StoredRun(
             id=run_id,
             core_version=CORE_VERSION,
@@ -106,7 +115,8 @@ class Runs:
         await self.roads.named(measured_roads(run.scenario))
         await self.recordings.named(names)
         saved = await self.store.write(self.store.runs.save, run)
-        return saved, {name: all(item.cached for item in outcomes if item.strategy == name) for name in names}
+        cached = {name: all(item.cached for item in outcomes if item.strategy == name) for name in names}
+        return saved.with_outcomes(_by_strategy(names, outcomes)), cached
 
     async def is_stored(self, run_id: str) -> bool:
         """Whether there is a run of this id, whatever has become of its results."""
@@ -176,7 +186,7 @@ class Runs:
         return await asyncio.to_thread(render, scenario, outcomes, ordered_signals(signals), baseline)
 
     async def stored(self, run_id: str, client: str) -> StoredRun:
-        """The run; one whose results were removed is computed again.
+        """The run; what is missing of it, removed or failed for a reason that may have passed, is computed again.
 
         Raises:
             NotFoundError: There is none.
@@ -217,33 +227,63 @@ class Runs:
     ) -> list[Outcome]:
         """Results road by road, as they are stored."""
         results = await self.results.on_roads(seeded(scenario, roads), names, client, sampling=None, costs=costs)
-        every = [each[name] for each in results for name in names]
-        return [each if each.cacheable else replace(each, key=digest.uncacheable_key()) for each in every]
+        return [each[name] for each in results for name in names]
 
     async def _computed_again(self, stored: StoredRun, client: str) -> StoredRun:
-        """A run whose results were removed, by this core version, which it then names."""
-        scenario, names = Scenario.model_validate(stored.scenario), list(stored.by_strategy)
-        theirs = {name for name in names if name not in STRATEGIES and recording_id(name) is None}
-        if theirs and (
-            not theirs <= known_strategies().keys()
-            or digest.run_id(scenario, names, stored.roads, stored.baseline) != stored.id
-        ):
+        """A run whose missing results are computed by this core version.
+
+        Where retention removed some it is computed as a whole, and then is this version's. Otherwise strategies have
+        failed for reasons that may have passed: those alone are driven, on every road, and the others stay as they are.
+        """
+        scenario, by_name = Scenario.model_validate(stored.scenario), stored.by_strategy
+        missing = [item for item in stored.results if item.status == EXPIRED]
+        whole = not all(item.failed_unstored for item in missing)
+        names = [name for name in by_name if whole or any(item.strategy == name for item in missing)]
+        changed = _changed_controllers(stored, scenario, names)
+        if whole and changed:
             raise LawGoneError
+        names = [name for name in names if name not in changed]
         try:
-            outcomes = await self._computed(scenario, names, stored.roads, client)
+            outcomes = await self._computed(scenario, names, stored.roads, client) if names else []
         except InvalidError:
             raise RoadGoneError from None
-        if not all(item.cacheable for item in outcomes):
-            raise RoadGoneError  # stored, this failure would be the run's result for ever
-        again = replace(
-            stored,
-            results=tuple(outcomes),
-            core_version=CORE_VERSION,
-            schema_version=SCHEMA_VERSION,
-            scenario=scenario.model_dump(mode="json"),
-        )
-        await self.store.write(self.store.runs.recompute, again)
-        return again
+        again = _by_strategy(names, outcomes)
+        again |= {name: [replace(item, **_FAILED_BEFORE) for item in by_name[name]] for name in changed}
+        run = stored.with_outcomes(again, CORE_VERSION)
+        if whole:
+            run = replace(
+                run,
+                results=tuple(outcomes),
+                core_version=CORE_VERSION,
+                schema_version=SCHEMA_VERSION,
+                scenario=scenario.model_dump(mode="json"),
+            )
+        if any(item.cacheable for item in outcomes):
+            await self.store.write(self.store.runs.recompute, run, CORE_VERSION)
+            run = (await self._load(run.id) or run).with_outcomes(again)  # another process may have been first
+        return run
+
+
+def _by_strategy(names: Sequence[str], outcomes: Sequence[Outcome]) -> dict[str, Sequence[Outcome]]:
+    """Each strategy's outcomes road by road, of those of all strategies on one road after the other."""
+    return {name: outcomes[place :: len(names)] for place, name in enumerate(names)}
+
+
+def _changed_controllers(stored: StoredRun, scenario: Scenario, names: Iterable[str]) -> set[str]:
+    """Those of a run's strategies that are custom controllers which have changed or gone since, or may have."""
+    custom = {name for name in names if name not in STRATEGIES and recording_id(name) is None}
+    there = custom & known_strategies().keys()
+    if there == custom and digest.run_id(scenario, stored.by_strategy, stored.roads, stored.baseline) == stored.id:
+        return set()
+    if stored.core_version == CORE_VERSION:
+        return custom
+    # Another version's keys cannot be made again, but its results name their controllers' files.
+    return {
+        name
+        for name in custom
+        if name not in there
+        or any(not item.failed_unstored and item.source != own.source(name) for item in stored.by_strategy[name])
+    }
 
 
 def check_has(stored: StoredRun, parameter: str, names: Iterable[str]) -> None:

@@ -1,7 +1,9 @@
-"""What becomes of stored results that turn out to be damaged.
+"""What becomes of stored results that turn out to be damaged, or to be none.
 
-A damaged result is dropped as one that retention removes, so that whoever asks for it has it computed again: a run at
-once, the runs of a batch by whoever drives the jobs. The links that show it say so from then on.
+Such a result is dropped as one that retention removes, so that whoever asks for it has it computed again: a run at
+once, the runs of a batch by whoever drives the jobs. The links that show a damaged one say so from then on.
+
+Until 0.4.0 every failure was stored, also one that the machine was to blame for. Those have no kind.
 """
 
 import logging
@@ -26,10 +28,13 @@ from backend.db.tables import (
 )
 from backend.db.types import Now
 from backend.metrics import DAMAGED_RESULTS
+from backend.outcome import FAILED, UNSTORED_FAILURE
 from backend.store.job import FINAL
 from backend.store.jobs import change_state, lock
 
 logger = logging.getLogger(__name__)
+
+DROPPED_AT_ONCE = 10_000  # failures of jobs that have one of them; a statement may name 32,766 values
 
 
 def is_intact_result(row: Row[Any], prefix: str = "") -> bool:
@@ -42,37 +47,61 @@ def is_intact_result(row: Row[Any], prefix: str = "") -> bool:
     return row._mapping[f"{prefix}status"] == EXPIRED or is_intact(results, row, prefix)
 
 
+def may_have_passed(status: str, summary: str) -> bool:
+    """Check whether a stored result is a failure of before there were kinds: the machine may have been to blame."""
+    return status == FAILED and '"kind":' not in str(summary)
+
+
+def is_result(row: Row[Any], prefix: str = "") -> bool:
+    """Check whether a row of `results` can be answered; arguments as of `is_intact_result`."""
+    columns = row._mapping
+    return is_intact_result(row, prefix) and not may_have_passed(
+        columns[f"{prefix}status"], columns[f"{prefix}summary"]
+    )
+
+
 def drop_results(database: Database, keys: Iterable[str]) -> None:
-    """Remove those of these results that are damaged; the runs of batches that had them wait again.
+    """Remove those of these results that cannot be answered; the runs of batches that had them wait again.
 
     Results are locked before jobs, elsewhere jobs before results: of two transactions that meet, PostgreSQL rolls one
     back, and `Database` begins it again.
     """
     with database.writing() as connection:
-        damaged = _damaged(connection, results, keys, is_intact_result)
-        connection.execute(update(results).where(results.c.key.in_(damaged)).values(**EXPIRED_RESULT))
+        keys = set(keys)
+        dropped = _unlike(connection, results, keys | _other_failures(connection, keys), is_result)
+        damaged = _unlike(connection, results, dropped, is_intact_result)
+        expire = update(results).where(results.c.key.in_(dropped))
+        connection.execute(expire.values(**EXPIRED_RESULT | {"summary": UNSTORED_FAILURE.decode()}))
+        connection.execute(expire.where(results.c.key.in_(damaged)).values(**EXPIRED_RESULT))
         _tell_links(connection, damaged)
-        reopened = _reopen_jobs(connection, damaged)
+        reopened = _reopen_jobs(connection, dropped)
     _report("result", damaged)
     database.changed(*reopened)
+
+
+def _other_failures(connection: Connection, keys: Iterable[str]) -> set[str]:
+    """Return failures without a kind that jobs have beside these: a job that goes on looks for its runs once."""
+    ids = select(job_runs.c.job_id).where(job_runs.c.result_key.in_(keys))
+    beside = job_runs.c.result_key == results.c.key
+    unknown = results.c.status == FAILED, results.c.summary.not_like('%"kind":%')
+    query = select(results.c.key).join_from(results, job_runs, beside).where(job_runs.c.job_id.in_(ids), *unknown)
+    return set(connection.execute(query.limit(DROPPED_AT_ONCE)).scalars())
 
 
 def drop_pins(database: Database, keys: Iterable[str]) -> None:
     """Remove those of these pinned time histories that are damaged."""
     with database.writing() as connection:
-        damaged = _damaged(connection, pinned_series, keys, partial(is_intact, pinned_series))
+        damaged = _unlike(connection, pinned_series, keys, partial(is_intact, pinned_series))
         connection.execute(delete(pinned_series).where(pinned_series.c.result_key.in_(damaged)))
         _tell_links(connection, damaged)
     _report("series", damaged)
 
 
-def _damaged(
-    connection: Connection, table: Table, keys: Iterable[str], intact: Callable[[Row[Any]], bool]
-) -> list[str]:
-    """Those that still are: another one may have replaced some meanwhile. They are locked."""
+def _unlike(connection: Connection, table: Table, keys: Iterable[str], sound: Callable[[Row[Any]], bool]) -> list[str]:
+    """Lock these rows; return the keys of those that still are not sound: another may have replaced some meanwhile."""
     (key,) = table.primary_key.columns
     rows = connection.execute(select(table).where(key.in_(list(keys))).order_by(key).with_for_update()).all()
-    return [row[0] for row in rows if not intact(row)]
+    return [row[0] for row in rows if not sound(row)]
 
 
 def _tell_links(connection: Connection, keys: Sequence[str]) -> None:
@@ -100,7 +129,8 @@ def _reopen_jobs(connection: Connection, keys: Sequence[str]) -> list[str]:
             less = {counter: jobs.c[counter] - count}
             connection.execute(update(jobs).where(jobs.c.id == job_id).values(**less))
         if waiting == "waiting":
-            change_state(connection, job_id, FINAL, "queued")
+            # Also of one that runs: where another core version submitted it, it begins anew with this one's keys.
+            change_state(connection, job_id, (*FINAL, "running"), "queued")
     return ids
 
 

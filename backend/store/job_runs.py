@@ -3,17 +3,17 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from sqlalchemy import Connection, Row, Select, bindparam, select, update
+from sqlalchemy import Connection, Row, Select, bindparam, case, select, update
 
 from backend.db.checksum import changed_checksum, check, is_intact
 from backend.db.database import RowStore
 from backend.db.tables import EXPIRED, job_runs, jobs, results
 from backend.errors import DamagedError
 from backend.job_run import JobRow, JobRun
-from backend.outcome import Outcome
-from backend.store.damage import drop_results, is_intact_result
+from backend.outcome import FAILED, Outcome
+from backend.store.damage import drop_results, is_result, may_have_passed
 from backend.store.job_events import add_event
-from backend.store.jobs import lock, waiting_runs
+from backend.store.jobs import failed_without_result, lock, waiting_runs
 from backend.store.runs import insert_results
 
 RESULT = "result_"  # before the names of a result's columns beside those of its run
@@ -30,6 +30,10 @@ class JobRunStore(RowStore):
             rows = connection.execute(query).all()
         damaged = {row.position: DAMAGED for row in rows if not is_intact(job_runs, row)}
         stored = {row.result_key: row.stored for row in rows if row.stored is not None}
+        passed = {row.result_key for row in rows if may_have_passed(row.stored, row.stored_failure)}
+        if passed:
+            drop_results(self._database, passed)
+            stored = {key: status for key, status in stored.items() if key not in passed}
         if stored or damaged:
             with self._database.writing() as connection:
                 lock(connection, job_id)
@@ -39,7 +43,7 @@ class JobRunStore(RowStore):
         return [
             JobRun(position=row.position, changes=row.changes, strategy=row.strategy, key=row.result_key)
             for row in rows
-            if row.stored is None and row.position not in damaged
+            if row.result_key not in stored and row.position not in damaged
         ]
 
     def save(
@@ -61,6 +65,12 @@ class JobRunStore(RowStore):
             _settle(connection, job_id, {item.key: item.status for item in computed})
         self._database.changed(job_id)
         return new, failed
+
+    def may_be_tried_again(self, job_id: str) -> bool:
+        """Check whether a run of the job failed for a reason that may have passed."""
+        query = select(job_runs.c.position).where(failed_without_result(job_id)).limit(1)
+        with self._database.reading() as connection:
+            return connection.execute(query).first() is not None
 
     def rekey(self, job_id: str, keys: Mapping[int, tuple[str | None, str | None]]) -> None:
         """Give waiting runs (by position) the keys of another core version, or the reason why they have none."""
@@ -98,7 +108,7 @@ class JobRunStore(RowStore):
         for row in rows:
             check(job_runs, row, "batch")
         with_result = [row for row in rows if row.result_key is not None]
-        if damaged := {row.result_key for row in with_result if not is_intact_result(row, RESULT)}:
+        if damaged := {row.result_key for row in with_result if not is_result(row, RESULT)}:
             drop_results(self._database, damaged)
         cancelled_for = None if job is None else job.reason
         return [_row(row, cancelled_for, lost=row.result_key in damaged) for row in rows]
@@ -109,7 +119,8 @@ def _row(row: Row[Any], cancelled_for: str | None, *, lost: bool) -> JobRow:
         raise DamagedError("batch")  # its key is of no result
     # A run that ended after its job was resumed can have the reason of before, stored by an older version.
     of_run = row.reason if row.status == "failed" and row.result_status != "failed" else None
-    without_result = lost or (row.status == "failed" and row.result_status == "ok")  # another job's, which did not fail
+    # It failed for a reason that may have passed, and for another job it has.
+    without_result = lost or (row.status == "failed" and row.result_status != "failed")
     return JobRow(
         position=row.position,
         changes=row.changes,
@@ -123,10 +134,11 @@ def _row(row: Row[Any], cancelled_for: str | None, *, lost: bool) -> JobRow:
 
 
 def _waiting_runs(job_id: str) -> Select[Any]:
-    """Runs without a result, each with the status of one that is stored all the same."""
+    """Runs without a result, each with the status of one that is stored all the same, and what a failed one says."""
     has_result = (job_runs.c.result_key == results.c.key) & (results.c.status != EXPIRED)
+    failure = case((results.c.status == FAILED, results.c.summary))
     return (
-        select(*job_runs.c, results.c.status.label("stored"))
+        select(*job_runs.c, results.c.status.label("stored"), failure.label("stored_failure"))
         .join_from(job_runs, results, has_result, isouter=True)
         .where(waiting_runs(job_id))
         .order_by(job_runs.c.position)

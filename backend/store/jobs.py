@@ -10,16 +10,31 @@ from datetime import datetime
 from itertools import islice
 from typing import Any
 
-from sqlalchemy import ColumnElement, Connection, Row, Select, and_, case, delete, func, insert, or_, select, update
+from sqlalchemy import (
+    ColumnElement,
+    Connection,
+    Row,
+    Select,
+    and_,
+    case,
+    delete,
+    exists,
+    func,
+    insert,
+    or_,
+    select,
+    update,
+)
 from sqlalchemy.exc import IntegrityError
 
 from backend.db.checksum import UNCHECKED, update_row
 from backend.db.database import RowStore, insert_new
-from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, trials
+from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, results, trials
 from backend.db.types import UNSTORED, Now
 from backend.errors import DamagedError
 from backend.job_run import JobRun
 from backend.json_types import JsonObject
+from backend.outcome import FAILED
 from backend.store.job import FINAL, UNFINISHED, State, StoredJob
 from backend.store.job_events import add_event
 from backend.store.trials import StoredTrial
@@ -175,12 +190,18 @@ class JobStore(RowStore):
         self._database.changed(*family)
 
     def resume(self, job_id: str, **values: Any) -> None:
-        """Continue a job that has ended, with these values changed: its cancelled runs wait again."""
+        """Continue a job that has ended, with these values changed.
+
+        Its cancelled runs wait again, and those that failed for a reason that may have passed.
+        """
         with self._database.writing() as connection:
-            lock(connection, job_id)
-            if change_state(connection, job_id, FINAL, "queued", reason=None, **values):
+            if lock(connection, job_id) in FINAL:
+                again = update(job_runs).where(failed_without_result(job_id)).values(status="waiting")
+                count = {"failed": jobs.c.failed - connection.execute(again).rowcount}
+                connection.execute(update(jobs).where(jobs.c.id == job_id).values(**count))
                 cancelled = update(job_runs).where(job_runs.c.job_id == job_id, job_runs.c.status == "cancelled")
                 connection.execute(cancelled.values(status="waiting"))
+                change_state(connection, job_id, FINAL, "queued", reason=None, **values)
         self._database.changed(job_id)
 
     def advance(
@@ -301,6 +322,13 @@ def lock(connection: Connection, job_id: str) -> str | None:
 def waiting_runs(job_id: str) -> ColumnElement[bool]:
     """Which runs are a job's that wait."""
     return and_(job_runs.c.job_id == job_id, job_runs.c.status == "waiting")
+
+
+def failed_without_result(job_id: str) -> ColumnElement[bool]:
+    """Return which runs of a job failed for a reason that may have passed: no result of theirs is stored."""
+    stored = exists().where(results.c.key == job_runs.c.result_key, results.c.status == FAILED)
+    failed = and_(job_runs.c.job_id == job_id, job_runs.c.status == FAILED, job_runs.c.result_key.is_not(None))
+    return and_(failed, ~stored)
 
 
 def mark_removed(connection: Connection, ids: Sequence[str]) -> None:

@@ -1,6 +1,6 @@
 """Share links, and the time histories they pin, by result key."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from datetime import datetime
 from typing import Literal
@@ -30,11 +30,11 @@ class StoredLink:
 class LinkStore(RowStore):
     """Reads and writes links and pins; safe for several threads and several processes."""
 
-    def save(self, link: StoredLink, pins: Mapping[str, bytes]) -> bool:
+    def save(self, link: StoredLink, pins: Mapping[str, bytes], failed: Collection[str] = ()) -> bool:
         """Commit a link and what is not yet pinned of its time histories (by result key), together.
 
         False, and no change, where retention has removed the batch or a result of the run: from the commit on it
-        removes nothing of either.
+        removes nothing of either. The results with the keys `failed` are not there, as they could not be computed.
         """
         row = {
             "slug": link.slug,
@@ -45,7 +45,7 @@ class LinkStore(RowStore):
         }
         contents: list[dict[str, object]] = [{"result_key": key, "content": content} for key, content in pins.items()]
         with self._database.writing() as connection:
-            if not _lock_target(connection, link):
+            if not _lock_target(connection, link, failed):
                 return False
             if contents:
                 insert_new(connection, pinned_series, contents)
@@ -83,7 +83,7 @@ class LinkStore(RowStore):
         return {row.result_key: bytes(row.content) for row in rows if row.result_key not in damaged}
 
 
-def _lock_target(connection: Connection, link: StoredLink) -> bool:
+def _lock_target(connection: Connection, link: StoredLink, failed: Collection[str]) -> bool:
     """Keep retention from removing what the link shows before it is committed; False where it has removed some of it.
 
     A run of which there is nothing at all is left to the foreign key.
@@ -92,10 +92,10 @@ def _lock_target(connection: Connection, link: StoredLink) -> bool:
         target = select(jobs.c.kind).where(jobs.c.id == link.target).with_for_update(read=True)
         return connection.execute(target).scalar() not in (None, REMOVED)
     shown = (
-        select(results.c.status)
+        select(results.c.key, results.c.status)
         .join(run_results, run_results.c.result_key == results.c.key)
         .where(run_results.c.run_id == link.target)
         .order_by(results.c.key)
         .with_for_update(read=True, of=results)
     )
-    return EXPIRED not in connection.execute(shown).scalars()
+    return all(status != EXPIRED or key in failed for key, status in connection.execute(shown))

@@ -1,9 +1,9 @@
 """Runs, and each strategy's result stored once under its content's key."""
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from datetime import datetime
-from typing import Any
+from typing import Any, Self
 
 from sqlalchemy import Connection, Select, bindparam, delete, insert, select
 
@@ -13,8 +13,8 @@ from backend.db.tables import EXPIRED, results, run_recordings, run_results, run
 from backend.db.types import UNSTORED
 from backend.errors import DamagedError
 from backend.json_types import JsonObject
-from backend.outcome import Outcome
-from backend.store.damage import drop_results, is_intact_result
+from backend.outcome import UNSTORED_FAILURE, Outcome
+from backend.store.damage import drop_results, is_result
 from backend.store.roads import measured_roads
 from sim_core.scenario.recorded import recording_id
 
@@ -40,8 +40,33 @@ class StoredRun:
 
     @property
     def expired(self) -> bool:
-        """Whether a result's summary was removed, so that it has to be computed again."""
+        """Whether a result is not there, so that it has to be computed: removed, or a failure that is not stored."""
         return any(item.status == EXPIRED for item in self.results)
+
+    def with_outcomes(self, outcomes: Mapping[str, Sequence[Outcome]], core_version: str | None = None) -> Self:
+        """Return the run with strategies' outcomes on every road in place of what is missing.
+
+        Args:
+            outcomes: By strategy, road by road.
+            core_version: That computed them, where it may be another one than the run's: of a strategy of which none is
+                a failure that is not stored they then take the place of those that are there, too.
+        """
+        results, count = list(self.results), len(self.first_road)
+        for place, item in enumerate(self.first_road):
+            new = outcomes.get(item.strategy, ())
+            together = core_version is not None and all(each.cacheable for each in new)
+            for road, each in enumerate(new):
+                old = results[place + road * count]
+                if together:
+                    results[place + road * count] = replace(each, core_version=core_version)
+                elif old.status == EXPIRED:
+                    results[place + road * count] = replace(each, key=old.key)
+        return replace(self, results=tuple(results))
+
+    @property
+    def failed_now(self) -> set[str]:
+        """The keys of results that could not be computed, for reasons that may pass: they are not stored."""
+        return {item.key for item in self.results if not item.cacheable}
 
     @property
     def first_road(self) -> tuple[Outcome, ...]:
@@ -81,9 +106,11 @@ class RunStore(RowStore):
     def load(self, run_id: str) -> StoredRun | None:
         """The run of that id, if it is stored."""
         with self._database.reading() as connection:
-            run, damaged = _load_run(connection, run_id)
-        if damaged:
-            drop_results(self._database, damaged)
+            run, dropped = _load_run(connection, run_id)
+        if dropped:
+            drop_results(self._database, dropped)
+            with self._database.reading() as connection:
+                run, _ = _load_run(connection, run_id)
         return run
 
     def is_stored(self, run_id: str) -> bool:
@@ -96,18 +123,19 @@ class RunStore(RowStore):
         query = select(results).where(results.c.key.in_(list(keys)), results.c.status != EXPIRED)
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
-        if damaged := [row.key for row in rows if not is_intact_result(row)]:
-            drop_results(self._database, damaged)
-        return {row.key: _result(row) for row in rows if row.key not in damaged}
+        if dropped := [row.key for row in rows if not is_result(row)]:
+            drop_results(self._database, dropped)
+        return {row.key: _result(row) for row in rows if row.key not in dropped}
 
     def save(self, run: StoredRun) -> StoredRun:
         """Commit a run and those of its results that are not stored; returns the run in the database.
 
-        Where another process stored the same run first, that one stays: content-addressed results never change.
+        Of a failure that is not `cacheable` it has an expired result. Where another process stored the same run first,
+        that one stays: content-addressed results never change.
         """
-        stored, damaged = self._save(run)
-        if damaged:
-            drop_results(self._database, damaged)
+        stored, dropped = self._save(run)
+        if dropped:
+            drop_results(self._database, dropped)
             stored, _ = self._save(run)
         if stored is None:
             raise RuntimeError("A run was not there right after it was stored")
@@ -125,11 +153,17 @@ class RunStore(RowStore):
                     insert_new(connection, run_recordings, [{"run_id": run.id, "recording_id": recording}])
             return _load_run(connection, run.id)
 
-    def recompute(self, run: StoredRun) -> None:
-        """Replace the results of a stored run by these, and its scenario by the one that they were computed from."""
-        changed = {name: getattr(run, name) for name in ("core_version", "schema_version", "scenario")}
+    def recompute(self, run: StoredRun, core_version: str) -> None:
+        """Replace the results of a stored run by these.
+
+        Args:
+            run: As it is now. Where all of it is of that core version, its scenario is stored with the fields of today.
+            core_version: That computed those of its results that are not stored.
+        """
+        of_today = ("core_version", "schema_version", "scenario")
+        changed = {name: getattr(run, name) for name in of_today if run.core_version == core_version}
         with self._database.writing() as connection:
-            insert_results(connection, run.results, run.core_version)
+            insert_results(connection, run.results, core_version)
             connection.execute(delete(run_results).where(run_results.c.run_id == run.id))
             connection.execute(insert(run_results), _members(run.id, run.results))
             update_row(connection, runs, run.id, changed)
@@ -137,17 +171,7 @@ class RunStore(RowStore):
 
 def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_version: str) -> set[str]:
     """Insert the results that are missing or have expired, in the key's order, as `insert_new`; returns their keys."""
-    rows = [
-        {
-            "key": item.key,
-            "strategy": item.strategy,
-            "core_version": core_version,
-            "status": item.status,
-            "summary": item.json.decode(),
-            "compute_ms": item.compute_ms,
-        }
-        for item in sorted(outcomes, key=lambda item: item.key)
-    ]
+    rows = [_row(item, core_version) for item in sorted(outcomes, key=lambda item: item.key)]
     if not rows:
         return set()
     new = dialect_insert(connection, results)
@@ -160,8 +184,16 @@ def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_ver
     return set(connection.execute(replacing.returning(results.c.key), rows).scalars())
 
 
+def _row(item: Outcome, core_version: str) -> dict[str, object]:
+    """The row of a result; of a failure that is not stored, of one that has expired."""
+    row = {"key": item.key, "strategy": item.strategy, "core_version": core_version}
+    if item.cacheable:
+        return {**row, "status": item.status, "summary": item.json.decode(), "compute_ms": item.compute_ms}
+    return {**row, "status": EXPIRED, "summary": UNSTORED_FAILURE.decode(), "compute_ms": 0.0}
+
+
 def _load_run(connection: Connection, run_id: str) -> tuple[StoredRun | None, list[str]]:
-    """The run and the keys of its results that are damaged, which it has as expired."""
+    """The run and the keys of its results that are to be dropped, which it has as expired."""
     head = connection.execute(_HEAD, {"run": run_id}).one_or_none()
     if head is None:
         return None, []
@@ -169,10 +201,10 @@ def _load_run(connection: Connection, run_id: str) -> tuple[StoredRun | None, li
     members = connection.execute(_MEMBERS, {"run": run_id}).all()
     if [row.position for row in members] != list(range(len(members))):
         raise DamagedError("run")
-    damaged = [row.key for row in members if not is_intact_result(row)]
-    outcomes = (_result(row, lost=row.key in damaged) for row in members)
+    dropped = [row.key for row in members if not is_result(row)]
+    outcomes = (_result(row, lost=row.key in dropped) for row in members)
     values = {name: getattr(head, name) for name in (*_STORED_NAMES, "created_at")}
-    return StoredRun(**values, results=tuple(outcomes)), damaged
+    return StoredRun(**values, results=tuple(outcomes)), dropped
 
 
 def _result(row: Any, *, lost: bool = False) -> Outcome:
@@ -182,6 +214,7 @@ def _result(row: Any, *, lost: bool = False) -> Outcome:
         status=EXPIRED if lost else row.status,
         json=b"{}" if lost else row.summary.encode(),
         compute_ms=row.compute_ms,
+        core_version=row.core_version,
         cached=True,
     )
 

@@ -66,7 +66,8 @@ class Outcome:
         strategy: Its id.
         status: Whether the core could run it.
         reason: Why not, where it failed.
-        kind: `too-expensive` where it would take more computing than one run may, else `refused`; None where it ran.
+        kind: None where it ran. `refused` and `too-expensive`, where it would take more computing than one run may,
+            follow from scenario and program; `unavailable` may have passed, and is tried again when it is asked for.
         fields: Which scenario fields make it cheaper, by dotted names.
         cached: Not computed for this request; None where the answer does not tell.
         compute_ms: The worker's own time [ms].

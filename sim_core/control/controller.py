@@ -25,7 +25,7 @@ from sim_core.arrays import FloatArray
 from sim_core.control.law import LinearLaw
 from sim_core.control.plan import Plan
 from sim_core.control.seen import Seen, Setup
-from sim_core.errors import RidelabError, UnknownNameError
+from sim_core.errors import RefusedError, RidelabError, UnknownNameError
 from sim_core.kernel.qp import Qp
 from sim_core.scenario import Preview, Scenario, dotted
 from sim_core.scenario.fields import Part
@@ -288,7 +288,7 @@ class Controller:
         options, declared = scenario.own.of(self.id), self.declared
         for name in options:
             if not isinstance(declared.get(name), Option):
-                raise RidelabError(f"{self.label} has no such option", field=option_name(type(self), name))
+                raise RefusedError(f"{self.label} has no such option", field=option_name(type(self), name))
         self._as_set = {name: field_value(self, name, field, scenario) for name, field in declared.items()}
         for name, value in self._as_set.items():
             setattr(self, name, checked_value(type(self), name, value) if name in options else value)
@@ -317,9 +317,9 @@ def law_force(law: LinearLaw, seen: Seen) -> FloatArray:
     return law.force(seen.state, seen.previous_force, disturbances)
 
 
-def undefined(controller: Controller, methods: str) -> RidelabError:
+def undefined(controller: Controller, methods: str) -> RefusedError:
     """The error of a controller whose class has to define one of these methods, and does not."""
-    return RidelabError(f"{type(controller).__name__} has to define {methods}")
+    return RefusedError(f"{type(controller).__name__} has to define {methods}")
 
 
 def scenario_value(scenario: Scenario, name: str) -> Any:
@@ -383,7 +383,7 @@ def checked_value(kind: type[Controller], name: str, value: Any) -> Any:
     """
     field = kind.declared.get(name)
     if field is None:
-        raise RidelabError(f"{kind.__name__} has no field of that name; there are {', '.join(kind.declared)}")
+        raise RefusedError(f"{kind.__name__} has no field of that name; there are {', '.join(kind.declared)}")
     if isinstance(field, ScenarioField):
         part, dotted_name = scenario_value(_DEFAULTS, field.name), field.name
         adapter = TypeAdapter(type(part)) if isinstance(part, Part) else dotted.field(field.name).adapter
@@ -393,4 +393,4 @@ def checked_value(kind: type[Controller], name: str, value: Any) -> Any:
     try:
         return dotted.validated(adapter, value, dotted_name)
     except RidelabError as error:
-        raise RidelabError(f"{name}: {error.message}", field=dotted_name) from None
+        raise RefusedError(f"{name}: {error.message}", field=dotted_name) from None

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.errors import RidelabError
+from sim_core.errors import RefusedError
 from sim_core.kernel.prepared import LawDesign
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 
@@ -56,9 +56,9 @@ class LinearLaw:
             own.flags.writeable = False
             object.__setattr__(self, name, own)
             if previewed < 0 or previewed % DISTURBANCES or rows not in (None, len(array)):
-                raise RidelabError(f"A linear law's {name} has the shape {np.shape(array)}")
+                raise RefusedError(f"A linear law's {name} has the shape {np.shape(array)}")
             if not np.isfinite(own).all():
-                raise RidelabError(f"A linear law's {name} has a number that is not finite")
+                raise RefusedError(f"A linear law's {name} has a number that is not finite")
         object.__setattr__(self, "design", self._design())
 
     def _design(self) -> LawDesign:
@@ -68,7 +68,7 @@ class LinearLaw:
         if limits is None:
             limits = np.zeros((0, LAW_INPUTS + preview_gain.shape[1]))
         if limits.shape[1] != LAW_INPUTS + preview_gain.shape[1]:
-            raise RidelabError("A linear law's preview_gain and limits have columns for as many control steps")
+            raise RefusedError("A linear law's preview_gain and limits have columns for as many control steps")
         return LawDesign(gain=np.hstack([self.gain, preview_gain]), limits=limits)
 
     def force(
@@ -88,5 +88,5 @@ class LinearLaw:
         if self.preview_gain is None:
             return force
         if disturbances is None:
-            raise RidelabError("A linear law with a preview_gain needs the disturbances that it multiplies")
+            raise RefusedError("A linear law with a preview_gain needs the disturbances that it multiplies")
         return force + self.preview_gain @ disturbances.ravel()

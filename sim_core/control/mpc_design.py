@@ -14,7 +14,7 @@ from sim_core.control.cost import KILO, CostTerms, stage_cost
 from sim_core.control.law import LAW_INPUTS, LinearLaw
 from sim_core.control.qp import AXLES, CENTI, MOST_ITERATIONS
 from sim_core.control.regulator import regulator
-from sim_core.errors import RidelabError
+from sim_core.errors import RefusedError
 from sim_core.kernel.qp import QpDesign
 from sim_core.matrices import solve
 from sim_core.scenario import Vehicle
@@ -118,7 +118,7 @@ def design(terms: CostTerms, horizon: int, moves: int, force_limit: float, force
         RidelabError: A horizon has no step, or no stabilising terminal controller exists for these weights.
     """
     if min(horizon, moves) < 1:
-        raise RidelabError("A predictive controller has a prediction_horizon and a control_horizon of 1 or more")
+        raise RefusedError("A predictive controller has a prediction_horizon and a control_horizon of 1 or more")
     S, P = stage_cost(terms), regulator(terms).P
     p = predict(terms.vehicle, terms.sample_time, horizon, moves)
     free = p.z_moves.shape[1]

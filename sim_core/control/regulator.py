@@ -7,7 +7,7 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import small_cached
 from sim_core.control.cost import KILO, CostTerms, stage_cost
-from sim_core.errors import RidelabError
+from sim_core.errors import RefusedError
 from sim_core.matrices import NOT_STABILISABLE, riccati, solve
 from sim_core.vehicle.half_car import FORCES, STATES, discrete
 
@@ -54,7 +54,7 @@ def regulator(terms: CostTerms) -> Regulator:
     P = riccati(A, B, Q, R, N)
     K = solve(R + B.T @ P @ B, B.T @ P @ A + N.T)
     if not np.isfinite(K).all() or np.abs(np.linalg.eigvals(A - B @ K)).max() >= 1:
-        raise RidelabError(NOT_STABILISABLE)
+        raise RefusedError(NOT_STABILISABLE)
     return Regulator(gain=-KILO * K, P=P)
 
 

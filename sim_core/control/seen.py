@@ -7,7 +7,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.control.cost import CostTerms
-from sim_core.errors import RidelabError
+from sim_core.errors import RefusedError
 from sim_core.kernel.prepared import DrivenCar
 from sim_core.scenario import Vehicle, Weights
 from sim_core.speed.stages import Segment
@@ -214,8 +214,8 @@ class Seen:
         return next(stage for stage, _, last in self._inputs.segments if step < last)
 
 
-def _not_asked_for(name: str) -> RidelabError:
-    return RidelabError(
+def _not_asked_for(name: str) -> RefusedError:
+    return RefusedError(
         f"seen.{name} is there for a controller that asks for it: set preview (to wheelbase, lookahead or obstacle, or "
         'to scenario_field("mpc.preview")) and prediction_horizon (control steps ahead) in the class'
     )

@@ -13,7 +13,7 @@ from pathlib import Path, PurePosixPath
 from platform import machine
 from tempfile import TemporaryDirectory, gettempdir
 
-from sim_core.errors import RidelabError
+from sim_core.errors import RefusedError, RidelabError
 from sim_core.fmi.description import Description, read_description
 
 MOST_FILES, MOST_BYTES = 20_000, 500_000_000  # that an FMU unpacks to
@@ -47,9 +47,9 @@ def unpack(content: bytes) -> tuple[Description, Path, Path]:
                     with suppress(OSError):  # another process was first
                         (Path(beside) / "fmu").rename(folder)
     except KeyError:
-        raise RidelabError("It has no modelDescription.xml") from None
+        raise RefusedError("It has no modelDescription.xml") from None
     except (zipfile.BadZipFile, zlib.error, RuntimeError, NotImplementedError, EOFError) as error:
-        raise RidelabError(f"It is no zip that can be read: {error}") from None
+        raise RefusedError(f"It is no zip that can be read: {error}") from None
     except OSError as error:
         raise RidelabError(f"It cannot be unpacked: {error.strerror}") from None
     return description, folder, folder / library
@@ -58,11 +58,11 @@ def unpack(content: bytes) -> tuple[Description, Path, Path]:
 def _check(archive: zipfile.ZipFile) -> None:
     entries = archive.infolist()
     if len(entries) > MOST_FILES or sum(entry.file_size for entry in entries) > MOST_BYTES:
-        raise RidelabError(f"It unpacks to more than {MOST_FILES} files or {MOST_BYTES // 10**6} MB")
+        raise RefusedError(f"It unpacks to more than {MOST_FILES} files or {MOST_BYTES // 10**6} MB")
     for entry in entries:
         path = PurePosixPath(entry.filename)
         if path.is_absolute() or ".." in path.parts or "\\" in entry.orig_filename or ":" in entry.filename:
-            raise RidelabError("A file in its zip has a path that leads out of it")
+            raise RefusedError("A file in its zip has a path that leads out of it")
 
 
 def _is_whole(folder: Path, archive: zipfile.ZipFile) -> bool:

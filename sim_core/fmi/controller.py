@@ -15,7 +15,7 @@ from sim_core.arrays import FloatArray
 from sim_core.catalogue import STAGES
 from sim_core.control.controller import Controller, option, scenario_field
 from sim_core.control.seen import Seen, Setup
-from sim_core.errors import RidelabError
+from sim_core.errors import RefusedError
 from sim_core.fmi.archive import unpack
 from sim_core.fmi.description import NUMBERS, Description, Variable
 from sim_core.fmi.instance import Instance, Numbers
@@ -55,7 +55,7 @@ class FmuController(Controller):
         fmu_step, step = self.own_sample_time, setup.sample_time
         if fmu_step is not None and abs(fmu_step - step) > 1e-9 * step:
             message = f"{self.label}: the FMU is for control steps of {fmu_step:g} s, the scenario has {step:g} s"
-            raise RidelabError(message, field="mpc.sample_time")
+            raise RefusedError(message, field="mpc.sample_time")
         fmu = self.description_of_fmu
         inputs = [each for each in fmu.variables if each.causality == "input"]
         outputs = [each for name in FORCES for each in fmu.variables if each.name == name]
@@ -179,16 +179,16 @@ def _checked(fmu: Description) -> int:
     outputs = {each.name for each in fmu.variables if each.causality == "output"}
     if missing := [name for name in FORCES if name not in outputs]:
         there = ", ".join(sorted(outputs)[:20]) or "none"
-        raise RidelabError(f"It has no output {' and no output '.join(missing)}; its outputs are {there}")
+        raise RefusedError(f"It has no output {' and no output '.join(missing)}; its outputs are {there}")
     horizon = 0
     for each in fmu.variables:
         if each.causality == "input":
             previewed = _PREVIEWED.fullmatch(each.name)
             if previewed is None and each.name not in _FIXED:
-                raise RidelabError(f"Its input {each.name[:80]} is none that Ridelab gives; there are {_OFFERED}")
+                raise RefusedError(f"Its input {each.name[:80]} is none that Ridelab gives; there are {_OFFERED}")
             horizon = max(horizon, int(previewed[2]) if previewed else int(each.name in _ROAD))
         if (each.causality == "input" or each.name in FORCES) and (each.type not in NUMBERS or each.is_array):
-            raise RidelabError(f"Its variable {each.name[:80]} is no single number")
+            raise RefusedError(f"Its variable {each.name[:80]} is no single number")
     return horizon
 
 

@@ -5,7 +5,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from sim_core.errors import RidelabError
+from sim_core.errors import RefusedError
 
 _IDENTIFIER = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _WHOLE = {"Integer", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64", "UInt64"}
@@ -49,20 +49,20 @@ def read_description(content: bytes) -> Description:
         RidelabError: It is none, or of an FMU that cannot be driven here; the message says why.
     """
     if b"<!DOCTYPE" in content or b"<!ENTITY" in content:
-        raise RidelabError("modelDescription.xml has a document type, which the standard has not")
+        raise RefusedError("modelDescription.xml has a document type, which the standard has not")
     try:
         root = ET.fromstring(content)  # noqa: S314 - without entities, and of a file that its owner trusts with code
     except ET.ParseError as error:
-        raise RidelabError(f"modelDescription.xml is not well-formed: {error}") from None
+        raise RefusedError(f"modelDescription.xml is not well-formed: {error}") from None
     version = root.get("fmiVersion", "")
     if root.tag != "fmiModelDescription" or version.partition(".")[0] not in ("2", "3"):
-        raise RidelabError(f"It is of FMI {version or 'without a version'}; 2.0 and 3.0 are driven here")
+        raise RefusedError(f"It is of FMI {version or 'without a version'}; 2.0 and 3.0 are driven here")
     own = root.find("CoSimulation")
     if own is None:
-        raise RidelabError("It is for model exchange alone; Ridelab drives FMUs for co-simulation")
+        raise RefusedError("It is for model exchange alone; Ridelab drives FMUs for co-simulation")
     identifier, token = own.get("modelIdentifier", ""), root.get("guid") or root.get("instantiationToken") or ""
     if not _IDENTIFIER.fullmatch(identifier):
-        raise RidelabError("Its modelIdentifier is no C identifier")
+        raise RefusedError("Its modelIdentifier is no C identifier")
     return Description(
         version=int(version[0]),
         name=root.get("modelName", identifier),
@@ -92,7 +92,7 @@ def _variables(listed: ET.Element | None, version: str) -> Iterator[Variable]:
                 is_array=typed.find("Dimension") is not None,
             )
         except ValueError:
-            raise RidelabError(f"Its variable {name[:80]} has a value reference or a number that is none") from None
+            raise RefusedError(f"Its variable {name[:80]} has a value reference or a number that is none") from None
 
 
 def _number(text: str | None) -> float | None:

@@ -14,7 +14,7 @@ from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller
 from sim_core.control.law import LinearLaw
 from sim_core.control.seen import RunInputs, Seen
-from sim_core.errors import ForceError, RidelabError
+from sim_core.errors import ForceError, RefusedError
 from sim_core.kernel.prepared import DrivenCar, FollowLaw, LawArrays, limit_force
 from sim_core.loop.preview import Forecast
 from sim_core.speed.stages import Segment
@@ -65,9 +65,9 @@ class ClosedLoop:
                 limited += sum(self._step(k, loop, asked) for k in range(segment.first, segment.last))
                 continue
             if not isinstance(law, LinearLaw):
-                raise RidelabError(f"{self._controller.label}: linear_law gives a LinearLaw or None")
+                raise RefusedError(f"{self._controller.label}: linear_law gives a LinearLaw or None")
             if law.design.horizon not in (0, self._forecast.disturbances.shape[2]):
-                raise RidelabError("A linear law has three columns for each control step that is previewed")
+                raise RefusedError("A linear law has three columns for each control step that is previewed")
             follow = follow or self._car.follow_law(law_arrays(self._forecast, self._force_limits, clips=clips), loop)
             qp = self._controller.qp(segment.stage)
             while k < segment.last:

@@ -9,7 +9,7 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Seen, Setup
-from sim_core.errors import RidelabError
+from sim_core.errors import RefusedError
 from sim_core.kernel.prepared import DrivenCar, limit_force
 from sim_core.loop.closed_loop import Trajectory, checked_force, read_only
 from sim_core.vehicle.half_car import FORCES
@@ -72,6 +72,6 @@ class DelayedLoop:
         arrivals = np.asarray(self._controller.arrivals(self._setup))
         if arrivals.shape != (steps,) or arrivals.dtype.kind not in "iu" or (arrivals < np.arange(steps) * n).any():
             message = "arrivals gives one whole number for each control step, none before its own step"
-            raise RidelabError(f"{self._controller.label}: {message}")
+            raise RefusedError(f"{self._controller.label}: {message}")
         short_steps: list[int] = arrivals.tolist()
         return short_steps

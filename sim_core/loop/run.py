@@ -11,7 +11,7 @@ from sim_core.arrays import FloatArray
 from sim_core.catalogue import STAGES
 from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Setup
-from sim_core.errors import RidelabError
+from sim_core.errors import RefusedError
 from sim_core.kernel.prepared import DrivenCar
 from sim_core.kernel.record import Recorder
 from sim_core.loop.closed_loop import ClosedLoop, Trajectory
@@ -37,7 +37,7 @@ def run_dampers(scenario: Scenario, controller: Controller) -> SemiActiveDampers
     if dampers is None:
         return None
     if not controller.actuated:
-        raise RidelabError(f"{controller.label}: one that sets dampers is actuated")
+        raise RefusedError(f"{controller.label}: one that sets dampers is actuated")
     return replace(dampers, most_force=min(scenario.mpc.force_limit, scenario.actuator.saturation or inf))
 
 
@@ -52,14 +52,14 @@ def requested_preview(controller: Controller) -> tuple[Preview, int]:
     steps: Any = controller.preview_steps  # a visitor's class may hold anything
     whole = isinstance(steps, int | np.integer) and not isinstance(steps, bool)
     if preview not in get_args(Preview):
-        raise RidelabError(f"{controller.label}: preview is one of {', '.join(get_args(Preview))}")
+        raise RefusedError(f"{controller.label}: preview is one of {', '.join(get_args(Preview))}")
     if not whole or steps < 0:
-        raise RidelabError(f"{controller.label}: prediction_horizon is a whole number, 0 or more")
+        raise RefusedError(f"{controller.label}: prediction_horizon is a whole number, 0 or more")
     if steps and not _sets(controller, "preview"):
-        raise RidelabError(f"{controller.label} sets prediction_horizon and not preview, which says what it looks at")
+        raise RefusedError(f"{controller.label} sets prediction_horizon and not preview, which says what it looks at")
     if preview != "none" and not steps and not _sets(controller, "prediction_horizon", "preview_steps"):
         message = "sets preview and not prediction_horizon: how many control steps ahead it looks"
-        raise RidelabError(f"{controller.label} {message}")
+        raise RefusedError(f"{controller.label} {message}")
     return (preview if steps else "none"), int(steps)
 
 
@@ -162,7 +162,7 @@ class Run:
         try:
             controller.start(setup)
             if (controller.preview, controller.preview_steps) != asked_for:
-                raise RidelabError(f"{controller.label}: preview and prediction_horizon are set before start")
+                raise RefusedError(f"{controller.label}: preview and prediction_horizon are set before start")
             if controller.delayed:
                 trajectory = DelayedLoop(controller, car, inputs, setup, force_limits).run()
             else:

@@ -8,7 +8,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS, SIGNALS
-from sim_core.errors import RidelabError
+from sim_core.errors import RefusedError
 from sim_core.recorded.alignment import Placement, Reference, Signs, correlations, evenly, place
 from sim_core.recorded.track import Track
 from sim_core.recorded.tyre_peaks import on_this_road
@@ -115,7 +115,7 @@ def _references(drives: Callable[[str], StrategyResult], keys: Sequence[str]) ->
     for name in STRATEGIES:
         try:
             series = drives(name).series
-        except RidelabError:  # of a car that this law cannot hold
+        except RefusedError:  # of a car that this law cannot hold
             continue
         count = len(series["time"]) + len(series.jumps)
         every = slice(None, None, 1 + count // MOST_SAMPLES)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from sim_core.arrays import FloatArray
 from sim_core.blas import one_thread
 from sim_core.catalogue import EVENTS, METRIC_SIGNALS, SIGNALS, WHOLE, WINDOWS
-from sim_core.errors import RidelabError
+from sim_core.errors import RefusedError
 from sim_core.metrics.definition import ByWindow, comfort_metrics, drive_events, window_metrics
 from sim_core.metrics.sampled import Span as Times
 from sim_core.metrics.sampled import sampled_sums
@@ -50,7 +50,7 @@ def recorded_result(
     signals = without_gravity(recorded)
     track = track_of(signals, scenario.speed.initial)
     if (length := float(np.ptp(track.distance))) > LONGEST:
-        raise RidelabError(f"The recording is {length:.0f} m long, and the most is {LONGEST:g}: cut it to this road")
+        raise RefusedError(f"The recording is {length:.0f} m long, and the most is {LONGEST:g}: cut it to this road")
     found = placed(scenario, lambda name: drives(scenario, name), signals, track)
     signals |= {key: -signals[key] for key in found.turned}
     position, time = found.position, track.time
@@ -59,7 +59,7 @@ def recorded_result(
     speed = float(position[-1] - position[0]) / float(time[-1] - time[0])
     time = time - (float(np.interp(0.0, position, time)) if position[0] <= 0 else time[0] - position[0] / speed)
     if np.count_nonzero(_on_road(position, scenario)) < 2:
-        raise RidelabError("The recording has no part of this road: its distance lies elsewhere")
+        raise RefusedError("The recording has no part of this road: its distance lies elsewhere")
     # Between samples too: the ends of the road rarely are samples.
     whole = {key: signals.get(key, np.full(len(time), nan)) for key in SIGNALS} | {"time": time, "position": position}
     result, notes = _evaluated(scenario, whole, f"{PREFIX}{drive.id}", timed=track.timed)

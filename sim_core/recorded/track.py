@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.errors import RidelabError
+from sim_core.errors import RefusedError
 from sim_core.scenario.parts import KMH
 
 SLOWEST = 0.1  # a recorded speed below counts as this where it gives the time [m/s]
@@ -49,7 +49,7 @@ def track_of(signals: Mapping[str, FloatArray], initial: float) -> Track:
             distance=distance, time=time, clocked=True, timed=True, notes=("Its distance is its speed over its time",)
         )
     if position is None:
-        raise RidelabError("A recording has a time or a distance")
+        raise RefusedError("A recording has a time or a distance")
     if speed is None:
         return Track(distance=position, time=position / initial, clocked=True, timed=False, notes=(assumed,))
     each = 1 / np.maximum(speed, SLOWEST)

@@ -11,7 +11,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.errors import MissingRoadError, RidelabError
+from sim_core.errors import MissingRoadError, RefusedError
 from sim_core.kernel import binding
 from sim_core.scenario import Bump, Road
 from sim_core.scenario.measured import SPACING, MeasuredRoad
@@ -173,5 +173,5 @@ def road_profile(road: Road) -> RoadProfile:
         raise MissingRoadError("The measured road of this id is not here", field="road.profile")
     if road.length > road.measured.length:
         message = f"The measured road is {road.measured.length:g} m long: the road's length can be at most that"
-        raise RidelabError(message, field="road.length")
+        raise RefusedError(message, field="road.length")
     return RoadProfile(*_measured(road.measured, road.length), road.bump)

@@ -14,7 +14,7 @@ from typing import Annotated, Any, Literal, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
 
-from sim_core.errors import RidelabError, UnknownNameError
+from sim_core.errors import RefusedError, UnknownNameError
 from sim_core.scenario import Scenario
 from sim_core.scenario.fields import Weight
 
@@ -54,7 +54,7 @@ def validated(adapter: TypeAdapter[Any], value: Any, field: str, unit: str = "1"
     try:
         return adapter.validate_python(value)
     except ValidationError as error:
-        raise RidelabError(explain(error.errors(include_input=False)[0], unit), field=field) from None
+        raise RefusedError(explain(error.errors(include_input=False)[0], unit), field=field) from None
 
 
 def explain(error: Mapping[str, Any], unit: str = "1") -> str:

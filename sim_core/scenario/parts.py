@@ -11,7 +11,7 @@ from typing import Annotated, Literal, Self
 from pydantic import ConfigDict, Field, PrivateAttr, model_validator
 from pydantic.config import JsonDict
 
-from sim_core.errors import RidelabError
+from sim_core.errors import RefusedError
 from sim_core.scenario.fields import ADDED, Part, Weights, at, field, quantity
 from sim_core.scenario.fuzzy import Fuzzy
 from sim_core.scenario.imperfections import Actuator, Estimation, HeightNoise, Hil, Mismatch
@@ -259,12 +259,12 @@ class Scenario(Part):
         if measured.id != self.road.profile:
             names = f"road {self.road.profile}" if self.road.profile else "none"
             message = f"These are the heights of the measured road {measured.id}; the scenario names {names}"
-            raise RidelabError(message, field="road.profile")
+            raise RefusedError(message, field="road.profile")
         road = self.road.model_copy(update={"length": measured.length} if self.road.ends_with_profile else None)
         road._measured = measured
         if road.bump.height and not road.has_bump:
             lengths = f"the bump ends at {road.bump.end:g} m, the measured road at {road.length:g} m"
-            raise RidelabError(f"{_BUMP_BEYOND}; {lengths}", field="road.bump.start")
+            raise RefusedError(f"{_BUMP_BEYOND}; {lengths}", field="road.bump.start")
         return self.model_copy(update={"road": road})
 
     def with_recordings(self, recordings: Iterable[RecordedDrive]) -> "Scenario":

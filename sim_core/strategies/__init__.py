@@ -8,7 +8,7 @@ from typing import Any
 
 from sim_core.control.controller import Controller, option_fields
 from sim_core.controller_files import ControllerFileError, named_controllers
-from sim_core.errors import RidelabError, UnknownNameError
+from sim_core.errors import RefusedError, RidelabError, UnknownNameError
 from sim_core.scenario import Scenario, dotted
 from sim_core.scenario.recorded import recording_id
 from sim_core.speed.profile import SpeedPlan
@@ -106,7 +106,7 @@ def controller_for(strategy: str | type[Controller] | Controller, scenario: Scen
     controller = make_controller(strategy).for_scenario(scenario)
     for name in CLASS_VALUES:
         if getattr(controller, name) != getattr(type(controller), name):
-            raise RidelabError(f"{controller.label}: {name} is a plain value of the class, for all of its objects")
+            raise RefusedError(f"{controller.label}: {name} is a plain value of the class, for all of its objects")
     return controller
 
 
@@ -118,7 +118,7 @@ def resolve_speed_plan(strategy: type[Controller], policy: str) -> SpeedPlan:
     """
     plans: dict[str, SpeedPlan] = {"planned": "planned", "constant": "constant"}
     if strategy.speed_plan not in plans:
-        raise RidelabError(f"{strategy.label}: speed_plan is planned or constant")
+        raise RefusedError(f"{strategy.label}: speed_plan is planned or constant")
     return plans.get(policy, strategy.speed_plan)
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.errors import RidelabError
+from sim_core.errors import RefusedError
 from sim_core.matrices import exponential, riccati, solve
 from sim_core.road.profile import REFERENCE_FREQUENCY
 from sim_core.road.sensed import ExpectedErrors, expected_errors, trust
@@ -76,7 +76,7 @@ def kalman_filter(
     gain = solve(C @ P @ C.T + R, C @ P).T
     closed = A - gain @ C @ A
     if not np.isfinite(closed).all() or np.abs(np.linalg.eigvals(closed)).max() >= 1:
-        raise RidelabError(_UNSTABLE, field="estimation.kind")
+        raise RefusedError(_UNSTABLE, field="estimation.kind")
     return KalmanFilter(gain=gain, covariance=P - gain @ C @ P)
 
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from math import inf
 
 from sim_core.arrays import FloatArray
-from sim_core.errors import RidelabError
+from sim_core.errors import RefusedError
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -40,7 +40,7 @@ class SemiActiveDampers:
             RidelabError: They are not 0 or more, or the least is above the most.
         """
         if not 0 <= self.least <= self.most:
-            raise RidelabError("A semi-active damper's least damping is 0 or more, and at most its greatest one")
+            raise RefusedError("A semi-active damper's least damping is 0 or more, and at most its greatest one")
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)

@@ -20,6 +20,7 @@ from backend.__main__ import listen
 from backend.app import create_app
 from backend.compute import workers
 from backend.http.server import server_config
+from backend.outcome import REFUSED, failure_json
 from backend.services import Services
 from backend.settings import Settings
 from backend.store import Store
@@ -191,7 +192,7 @@ def lqr_fails(service: Service, monkeypatch: pytest.MonkeyPatch) -> int:
     async def refused(function: Any, scenario: Scenario, *arguments: Any, **queued: Any) -> Any:
         outcomes = await call(function, scenario, *arguments, **queued)
         if isinstance(outcomes, dict) and "lqr" in outcomes and scenario.road.seed == seed:
-            reason = b'{"reason":"no controller"}'
+            reason = failure_json("no controller", REFUSED)
             outcomes["lqr"] = replace(outcomes["lqr"], status="failed", json=reason, compute_ms=1.0, series=None)
         return outcomes
 

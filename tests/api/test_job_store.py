@@ -43,7 +43,7 @@ def rows(prefix: str = "key", shared: int = 0) -> list[JobRun]:
 
 
 def computed(*keys: str, status: str = "ok") -> list[Outcome]:
-    summary: dict[str, Any] = {"metrics": {}} if status == "ok" else {"reason": "too steep"}
+    summary: dict[str, Any] = {"metrics": {}} if status == "ok" else {"reason": "too steep", "kind": "refused"}
     json = orjson.dumps(summary)
     return [Outcome(key=key, strategy="lv", status=status, json=json, compute_ms=1.0) for key in keys]
 

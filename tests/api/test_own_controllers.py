@@ -260,7 +260,49 @@ def test_a_law_that_fails_costs_its_own_column_and_is_told_with_its_line(service
     }
     assert f"broken.py, line {line['memory']}: " in reasons["memory"]
     assert "MemoryError: Unable to allocate 8.00 GiB" in reasons["memory"]
-    assert all(not each["cached"] for each in driven(service, ["raises"]).values()), "it is tried again"
+    of_code = {"raises", "nan", "shape", "changes"}  # which says the same on every machine
+    assert {name for name in BROKEN if outcomes[name]["kind"] == "refused"} == of_code
+    assert {name for name in BROKEN if outcomes[name]["kind"] == "unavailable"} == BROKEN.keys() - of_code
+    again = driven(service, ["raises", "killed"])
+    assert {name: each["cached"] for name, each in again.items()} == {"raises": True, "killed": False}
+
+
+def test_what_a_machine_lacked_is_computed_as_soon_as_it_has_it(service: Service, folder: Path) -> None:
+    """A file that is away: the failure is told, is in no memory and no store, and ends with the file's return."""
+    weights = folder / "weights.txt"
+    reads = f"float(open({str(weights)!r}).read()) * -seen.state[4]"
+    lines = ["try:", "    gain = GAIN", "except OSError as error:", "    raise ValueError('no gain') from error"]
+    body_of_force = "\n        ".join([*lines, "return gain, gain"])
+    (folder / "reads.py").write_text(named("reads", body_of_force.replace("GAIN", reads)))
+    body = {"scenario": SCENARIO, "strategies": ["passive", "reads"]}
+    run = service.post("/api/v1/runs", json=body).json()
+    address = f"/api/v1/runs/{run['id']}"
+    link = service.post("/api/v1/links", json={"run_id": run["id"]}).json()["slug"]
+    batch = computed(service, **body, sweep={"grid": {"road.bump.height": [0.05]}})
+    failed = run["strategies"]["reads"]
+    assert (failed["kind"], failed["reason"]) == ("unavailable", "reads.py, line 15: ValueError: no gain")
+    for again in (service.post("/api/v1/runs", json=body), service.get(address)):
+        assert again.json()["id"] == run["id"]
+        assert again.json()["strategies"]["reads"]["reason"] == failed["reason"]
+    assert service.get(f"/api/v1/links/{link}").json()["run"]["strategies"]["reads"]["status"] == "failed"
+    assert (batch["done"], batch["failed"]) == (1, 1)
+
+    weights.write_text("2000")
+    now = service.get(address).json()
+    assert now["strategies"]["reads"]["status"] == "ok"
+    assert now["strategies"]["passive"]["metrics"] == run["strategies"]["passive"]["metrics"]
+    weights.unlink()
+    assert service.get(address).json() == now, "it is a result now"
+    assert service.get(f"/api/v1/links/{link}").json()["run"]["strategies"] == now["strategies"]
+
+    weights.write_text("2000")
+    path = f"/api/v1/batches/{batch['id']}"
+    service.post(f"{path}/resume").raise_for_status()
+    wait_until(lambda: service.get(path).json()["state"] == "done", "what failed is computed again")
+    ended = service.get(path).json()
+    assert (ended["done"], ended["failed"]) == (2, 0)
+    assert {row["status"] for row in service.get(f"{path}/results").json()["rows"]} == {"ok"}
+    assert service.post(f"{path}/resume").json()["type"].endswith(":done")
 
 
 def test_a_law_that_does_not_end_is_ended(service: Service, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -15,6 +15,7 @@ from sqlalchemy import event, update
 from backend.db.checksum import UNCHECKED
 from backend.db.tables import REMOVED, jobs, results, roads
 from backend.jobs.retention import Retention
+from backend.outcome import UNAVAILABLE, failure_json
 from backend.runs.result_cache import ResultCache
 from backend.settings import Settings
 from backend.store import Store, StoredLink, retention
@@ -184,7 +185,7 @@ def test_an_expired_result_is_stored_again_whoever_computes_it(store: Store) -> 
     assert [run.key for run in store.job_runs.waiting("again", range(9))] == ["plain-1"], "it is not there"
     before = there(store.runs.load("plain"))
     newer: dict[str, Any] = {"core_version": "2", "schema_version": 7, "scenario": {"a_field_added_meanwhile": True}}
-    store.runs.recompute(replace(before, **newer, results=tuple(outcomes("plain-1", "other"))))
+    store.runs.recompute(replace(before, **newer, results=tuple(outcomes("plain-1", "other"))), "2")
     run = there(store.runs.load("plain"))
     assert not run.expired
     assert {name: getattr(run, name) for name in newer} == newer
@@ -279,17 +280,21 @@ def check_computed_again(service: Service, run: dict[str, Any]) -> None:
 def test_a_failure_that_is_not_the_scenarios_does_not_take_their_place(
     service: Service, expired: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """It would be the run's result for ever."""
+    """It is told, and the next time it is tried again."""
     call = service.services.workers.call
 
     async def away(*arguments: Any, **queued: Any) -> Any:
-        failed = {"status": "failed", "json": b'{"reason":"its road is away"}', "cacheable": False, "series": None}
+        reason = failure_json("its road is away", UNAVAILABLE)
+        failed = {"status": "failed", "json": reason, "cacheable": False, "series": None}
         return {name: replace(each, **failed) for name, each in (await call(*arguments, **queued)).items()}
 
     with monkeypatch.context() as patch:
         patch.setattr(ResultCache, "get", lambda *_: None)
         patch.setattr(service.services.workers, "call", away)
-        assert service.get(f"/api/v1/runs/{expired['id']}").status_code == 410
+        answer = service.get(f"/api/v1/runs/{expired['id']}").json()["strategies"].values()
+    assert {(each["status"], each["kind"], each["reason"]) for each in answer} == {
+        ("failed", "unavailable", "its road is away")
+    }
     assert there(service.services.store.runs.load(expired["id"])).expired
     assert 'ridelab_removed_total{what="results"}' in service.get("/metrics").text
     check_computed_again(service, expired)

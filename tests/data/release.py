@@ -1,10 +1,10 @@
 """Databases as cores 0.2.0, 0.3.0 and 0.4.0 left them when they were killed: every row, and what was answered before.
 
 Such a fixture is made once, by a release's own code, and never again: it stands for the databases out there (the
-history of this file has the programs that made them). Each has runs (one with a strategy that failed), links to them
-and to a batch, and a batch and a tuning each that are done and that are not. That of 0.3.0 has jobs with an owner and a
-label, an unfinished job of the paper page, runs over several roads, on a measured road, with an estimated state and
-with `lv_hil`, and runs whose results retention had removed.
+history of this file, and of make_release.py beside it, has the programs that made them). Each has runs (one with a
+strategy that failed), links to them and to a batch, and a batch and a tuning each that are done and that are not. That
+of 0.3.0 has jobs with an owner and a label, an unfinished job of the paper page, runs over several roads, on a measured
+road, with an estimated state and with `lv_hil`, and runs whose results retention had removed.
 
 That of 0.4.0 (899e0802) also has custom controllers, whose files are in it, recordings, pinned variants, a batch on a
 measured road and a robustness study; failures that were the machine's fault; and results of a controller that sets its

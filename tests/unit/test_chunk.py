@@ -55,7 +55,8 @@ def test_without_its_measured_road_a_run_fails_and_the_failure_is_not_stored() -
     base = {**BASE, "road": {**BASE["road"], "profile": "A" * 22}}
     (run,) = computed(waiting(0.05), base)
     assert (run.status, run.cacheable) == ("failed", False)
-    assert run.summary == {"reason": "The measured road of this id is not here"}
+    assert run.summary["reason"] == "The measured road of this id is not here"
+    assert run.summary["kind"] == "unavailable"
 
 
 def test_a_sweeps_errors_survive_the_way_from_a_worker() -> None:

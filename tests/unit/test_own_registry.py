@@ -50,16 +50,16 @@ def test_the_pause_before_another_try_doubles(tmp_path: Path, monkeypatch: pytes
     stand_in = registry._controllers["slow"]
     for pause in (60.0, 120.0, 240.0):
         clock.now += pause - 1
-        assert not registry.slow()
+        assert not registry.retry_due()
         clock.now += 1
-        assert registry.slow()
+        assert registry.retry_due()
         registry.try_again(20.0)
         assert registry._controllers["slow"] is stand_in, "what ends the same way makes nothing anew"
     (tmp_path / "slow.py").write_text("pass")
     assert registry.stale()
     registry.refresh(20.0)
     clock.now += 60
-    assert registry.slow(), "a saved file begins with the first pause again"
+    assert registry.retry_due(), "a saved file begins with the first pause again"
 
 
 def test_it_has_what_a_package_names_by_an_entry_point(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

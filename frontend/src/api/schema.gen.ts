@@ -329,7 +329,7 @@ export interface components {
         };
         readonly BatchRow: {
             readonly fields?: readonly string[] | null;
-            readonly kind?: "too-expensive" | null;
+            readonly kind?: ("refused" | "too-expensive") | null;
             readonly reason?: string | null;
             readonly run: number;
             /** @enum {string} */
@@ -369,7 +369,7 @@ export interface components {
             readonly compute_ms: number;
             readonly fields: readonly string[];
             /** @enum {string} */
-            readonly kind: "refused" | "too-expensive";
+            readonly kind: "refused" | "too-expensive" | "unavailable";
             readonly reason: string;
             /**
              * @description discriminator enum property added by openapi-typescript
@@ -384,6 +384,7 @@ export interface components {
                 readonly [key: string]: number | null;
             };
             readonly compute_ms: number;
+            readonly core_version?: string | null;
             readonly events: {
                 readonly [key: string]: boolean | number | null;
             };
@@ -412,6 +413,7 @@ export interface components {
                 readonly [key: string]: components["schemas"]["Interval"];
             };
             readonly compute_ms: number;
+            readonly core_version: string | null;
             readonly events: {
                 readonly [key: string]: boolean | number | null;
             };
@@ -1001,6 +1003,7 @@ export interface components {
                 readonly [key: string]: number | null;
             };
             readonly compute_ms: number;
+            readonly core_version?: string | null;
             readonly events: {
                 readonly [key: string]: boolean | number | null;
             };
@@ -1306,6 +1309,7 @@ export interface components {
                 readonly [key: string]: components["schemas"]["Interval"];
             };
             readonly compute_ms: number;
+            readonly core_version: string | null;
             readonly events: {
                 readonly [key: string]: boolean | number | null;
             };
@@ -1512,7 +1516,7 @@ export interface components {
             readonly compute_ms: number;
             readonly fields: readonly string[];
             /** @enum {string} */
-            readonly kind: "refused" | "too-expensive";
+            readonly kind: "refused" | "too-expensive" | "unavailable";
             readonly reason: string;
             /**
              * @description discriminator enum property added by openapi-typescript
@@ -1541,6 +1545,7 @@ export interface components {
                 readonly [key: string]: number | null;
             };
             readonly compute_ms: number;
+            readonly core_version?: string | null;
             readonly events: {
                 readonly [key: string]: boolean | number | null;
             };
