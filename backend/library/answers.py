@@ -24,6 +24,7 @@ from backend.vehicle_facts import vehicle_facts
 from sim_core import catalogue as core
 from sim_core.comparison.variation import one_road_resolution
 from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
+from sim_core.scenario.data_sheet import DataSheet
 from sim_core.scenario.presets import PRESETS
 from sim_core.scenario.vehicles import VEHICLES, VehiclePreset
 from sim_core.strategies import reads
@@ -32,7 +33,10 @@ from sim_core.strategies.effects import conditional_reads
 
 
 def schema() -> bytes:
-    """JSON Schema of the scenario, with the options of controllers of one's own that there are, and its version."""
+    """JSON Schema of the scenario, with the options of controllers of one's own that there are; its version; data sheets'.
+
+    A data sheet is what `POST /vehicles/from-data-sheet` takes.
+    """
     plain = _scenario_schema()
     parts = {f"{dotted.OWN}{each.id}": each for each in own.descriptions() if each.options}
     options = {
@@ -40,7 +44,8 @@ def schema() -> bytes:
     }
     of_each = {name: {"description": each.text, **_options(each.options)} for name, each in parts.items()}
     definitions = {**plain["$defs"], **of_each, "Own": {**plain["$defs"]["Own"], **options}}
-    return orjson.dumps({**plain, "$defs": definitions, "schema_version": SCHEMA_VERSION})
+    beside = {"schema_version": SCHEMA_VERSION, "data_sheet": DataSheet.model_json_schema()}
+    return orjson.dumps({**plain, "$defs": definitions, **beside})
 
 
 @cache

@@ -28,6 +28,7 @@ from backend.settings import Settings
 from sim_core.catalogue import SIGNALS
 from sim_core.check_controller import ID
 from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.scenario.data_sheet import DataSheet
 from sim_core.scenario.presets import PRESETS
 from sim_core.strategies import STRATEGIES, reads
 from tests.servers import loops
@@ -277,6 +278,7 @@ def test_without_a_dashboard_the_page_says_so(tmp_path: Path) -> None:
 def test_the_schema_is_the_scenarios_own(client: httpx.Client) -> None:
     schema = client.get("/api/v1/schema").json()
     assert schema.pop("schema_version") == SCHEMA_VERSION
+    assert schema.pop("data_sheet") == json.loads(json.dumps(DataSheet.model_json_schema()))
     assert schema == json.loads(json.dumps(Scenario.model_json_schema()))
 
 

@@ -144,6 +144,58 @@ def test_fields_are_switched_mistyped_and_set_by_a_vehicle(dashboard: Dashboard,
     expect(page.get_by_role("alert").filter(has_text=f"{file.name}: This file is not JSON")).to_be_visible()
 
 
+SHEET = {
+    "Front axle load": "1.2 t",
+    "Rear axle load": "1200",
+    "Front unsprung mass": "70",
+    "Rear unsprung mass": "60",
+    "Wheelbase": "2.6",
+    "Front natural frequency": "1.2",
+    "Rear natural frequency": "1.4",
+    "Front damping ratio": "0.25",
+    "Rear damping ratio": "0.3",
+    "Front tyre stiffness": "200 N/mm",
+    "Rear tyre stiffness": "40000",
+}
+
+
+def test_a_whole_cars_data_sheet_becomes_one_track_and_its_mass_on_one_track_is_cautioned(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page, address, cautions = dashboard.page, dashboard.page.url, dashboard.page.get_by_test_id("caution")
+    page.get_by_role("button", name="Vehicle", exact=True).click()
+    expect(page.locator("[data-pointer='/vehicle/body_mass']").get_by_test_id("note")).to_have_text("one track of two")
+    # The paper's own sag is said at its spring, and not beside each result of its scenario.
+    expect(cautions).to_have_text(re.compile(r"by 300 mm at the front axle.* the paper's own values \(Table 2\)\.$"))
+    page.get_by_role("button", name="Data sheet…").click()
+    sheet = page.get_by_role("dialog", name="A whole car’s data sheet")
+    apply = sheet.get_by_role("button", name="Take it as the vehicle")
+    for name, text in SHEET.items():
+        expect(apply).to_be_disabled()
+        sheet.get_by_label(name).fill(text)
+    rear = sheet.get_by_label("Rear natural frequency")
+    expect(rear).to_have_attribute("aria-invalid", "true")
+    expect(sheet.get_by_text("The tyre alone is softer than this frequency needs")).to_be_visible()
+    expect(apply).to_be_disabled()
+    sheet.get_by_label("Rear tyre stiffness").fill("200000 kg")
+    expect(sheet.get_by_text("Takes N/m (also without a unit), kN/m or N/mm")).to_be_visible()
+    sheet.get_by_label("Rear tyre stiffness").fill("200000")
+    outcome = sheet.get_by_role("region", name="What becomes of a car of 2400 kg: one track of two")
+    expect(outcome.get_by_role("row", name="Body mass, one track of two")).to_contain_text("1135 kg")
+    expect(sheet.get_by_role("row", name="Natural frequency, body")).to_contain_text("1.20 Hz, ζ 0.25")
+    dashboard.expect_accessible(sheet)
+    apply.click()
+    expect(dashboard.entry("Body mass")).to_have_value("1135")
+    expect_new_address(page, address)
+    dashboard.expect_curves()
+    expect(cautions).to_have_count(0)
+    dashboard.type_into("Body mass", "2400")  # the whole car's, on one track's springs
+    expect(cautions).to_have_count(2)
+    expect(dashboard.results.get_by_test_id("caution")).to_contain_text("is the body mass a whole car's?")
+    for _ in range(2):
+        page.get_by_role("button", name="Undo").click()
+    expect(page).to_have_url(address)
+
+
 def test_a_field_that_nothing_shown_uses_says_who_does(dashboard: Dashboard) -> None:
     """As strategies are shown and hidden, and as switches of the scenario change."""
     dashboard.open()

@@ -59,8 +59,11 @@ def test_units_are_read_in_words_and_one_that_is_not_understood_is_chosen(dashbo
     )
     drive = mapping.get_by_role("button", name="Drive this road")
     expect(drive).to_be_disabled()
-    mapping.get_by_label("Unit of height [barleycorn]").select_option("mm")
-    expect(drive).to_be_enabled()
+    mapping.get_by_label("Unit of height [barleycorn]").select_option("m")
+    drive.click()
+    caution = re.compile(r"The International Roughness Index of these heights is \d+ m/km; .* Is the unit")
+    expect(page.get_by_role("status").filter(has_text=caution)).to_contain_text("The road “old” is opened")
+    expect(page.locator("[data-pointer='/road/profile']").get_by_test_id("caution")).to_have_text(caution)
 
 
 def test_a_table_of_ones_own_is_mapped_looked_at_and_driven_over_the_bump_one_chooses(

@@ -62,6 +62,11 @@ const DECLARED = {
     keys: ["mod+S"],
     searchWords: ["file", "measured", "road", "recorded", "drive", "csv", "crg", "vehicle", "scenario", "requirements"],
   },
+  dataSheet: {
+    label: "Data sheet: make the half-car of a whole car",
+    short: "Data sheet…",
+    searchWords: ["total", "mass", "axle", "load", "wheelbase", "center", "natural", "frequency", "damping", "ratio"],
+  },
   saveVehicle: { label: "Save the vehicle in the library" },
   paper: { label: "Open the paper’s scenario" },
   reset: { label: "Reset all values to the paper’s", short: "Reset all" },

@@ -183,13 +183,20 @@ class Reader {
 }
 
 export interface ScenarioSchema extends Group {
+  /** What a whole car's data sheet says. */
+  readonly dataSheet: Group;
   /** Of the schema: files of a newer one cannot be read. */
   readonly version: number;
 }
 
 /** The whole form, as the schema orders it. */
 export function readSchema(schema: JsonObject): ScenarioSchema {
-  return { ...new Reader(schema).group(schema, "", "Scenario", {}), version: number(schema.schema_version) ?? 1 };
+  const sheet = isObject(schema.data_sheet) ? schema.data_sheet : {};
+  return {
+    ...new Reader(schema).group(schema, "", "Scenario", {}),
+    dataSheet: new Reader(sheet).group(sheet, "", "Data sheet", {}),
+    version: number(schema.schema_version) ?? 1,
+  };
 }
 
 /** Every field under a member, groups flattened, vectors whole. */

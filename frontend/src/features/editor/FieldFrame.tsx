@@ -39,19 +39,16 @@ export function FieldFrame({ id, field, leaf: { changed, error, unused }, paperT
       data-error={error !== undefined || undefined}
     >
       <Group gap="0.25rem" wrap={aside === undefined ? "nowrap" : "wrap"} mih={30}>
-        <label
-          className={classes.label}
-          data-unused={unused !== undefined || undefined}
-          htmlFor={id}
-          id={`${id}-label`}
-        >
-          {title}
-        </label>
-        {field.note && (
-          <Text span size="xs" c="dimmed" data-testid="note">
-            {field.note}
-          </Text>
-        )}
+        <div className={classes.label} data-unused={unused !== undefined || undefined}>
+          <label htmlFor={id} id={`${id}-label`}>
+            {title}
+          </label>
+          {field.note && (
+            <Text size="xs" lh={1.2} c="dimmed" data-testid="note">
+              {field.note}
+            </Text>
+          )}
+        </div>
         <Help field={field} />
         <Box component="span" flex={1} />
         <ResetButton {...{ field, paperText, changed }} />

@@ -16,6 +16,7 @@ import type { TextField } from "../../scenario/schema";
 import { useElementSize } from "@mantine/hooks";
 import type { MeasuredRoad } from "../../api/types";
 import { formatNumber } from "../../units/format";
+import { Caution } from "../../ui/Caution";
 import { Choice } from "../../ui/Entry";
 
 const NONE = { value: "", label: "None" };
@@ -98,6 +99,9 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
             {road.length} m measured, in place of roughness and seed.{" "}
             {labels.length > 0 ? `Bumps in it: ${labels.join(", ")}.` : "No bump was found in it."}
           </Text>
+          {road.cautions.map(({ kind, text }) => (
+            <Caution key={kind} text={text} />
+          ))}
           {bumps.length > 1 && (
             <Choice
               label="Bump that counts"

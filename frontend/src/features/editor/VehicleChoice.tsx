@@ -7,12 +7,12 @@ import { useExportItem } from "../library/open";
 import { OpenFiles } from "../library/OpenFiles";
 import { dialog, useItems } from "../../scenario/library";
 import { useEdit, useFromScenario, useLab, useReadOnly } from "../../lab/context";
-import { formatFixed, formatResult } from "../../units/format";
 import { vehiclesQuery } from "../../server/queries";
 import { completed } from "../../scenario/differences";
 import { getAt, sameValue, setAt, type Pointer } from "../../scenario/path";
 import type { Group } from "../../scenario/schema";
-import { DataTable } from "../../ui/DataTable";
+import { CharacteristicsTable } from "./CharacteristicsTable";
+import { useActionButton } from "../../lab/actions";
 import { Choice, labelled } from "../../ui/Entry";
 
 /** Those with sources, and those of the library. */
@@ -58,6 +58,7 @@ export function VehicleChoice({ group }: { readonly group: Group }) {
         ]}
         onPick={choose}
       />
+      {!readOnly && <DataSheetButton />}
       {!readOnly && (
         <OpenFiles name="Vehicle file" wanted="vehicle">
           Open file
@@ -81,35 +82,23 @@ export function VehicleChoice({ group }: { readonly group: Group }) {
   );
 }
 
+function DataSheetButton() {
+  const { label, ...button } = useActionButton("dataSheet");
+  return (
+    <Button size="compact-xs" {...button}>
+      {label}
+    </Button>
+  );
+}
+
 /** What the vehicle’s values come to: of the newest answer, which is of the values before while a slider moves on. */
 function VehicleFacts({ pointer }: { readonly pointer: Pointer }) {
   const of = useLab(({ shown }) => shown?.characteristics);
   const clearance = useFromScenario((scenario) => getAt(scenario, `${pointer}/bump_stop_clearance`));
   if (!of) return null;
-  const { static_sag: sag, natural_frequencies: frequency, damping_ratios: ratio } = of;
-  const mm = (metres: number) => formatFixed(1000 * metres, 0);
-  const travel = typeof clearance === "number" ? `${mm(clearance)} mm` : "no stops";
-  const mode = (axle: "front" | "rear", part: "body" | "wheel") =>
-    `${formatResult(frequency[`${axle}_${part}`])} Hz, ζ ${formatFixed(ratio[`${axle}_${part}`], 2)}`;
-  const rows = [
-    ["Static sag", `${mm(sag.front)} mm`, `${mm(sag.rear)} mm`],
-    ["Travel to the stops, under load", travel, travel],
-    ["Natural frequency, body", mode("front", "body"), mode("rear", "body")],
-    ["Natural frequency, wheel", mode("front", "wheel"), mode("rear", "wheel")],
-  ] as const;
   return (
     <Box flex="1 0 calc(100% + 1.8rem)" mx="-0.9rem">
-      <DataTable
-        label="What the vehicle’s values come to"
-        attributes={{ "data-dense": true, style: { fontSize: "var(--mantine-font-size-xs)" } }}
-        rows={rows}
-        rowKey={([name]) => name}
-        columns={[
-          { key: "name", head: "", text: true, cell: ([name]) => name },
-          { key: "front", head: "Front", cell: ([, front]) => front },
-          { key: "rear", head: "Rear", cell: ([, , rear]) => rear },
-        ]}
-      />
+      <CharacteristicsTable of={of} clearance={typeof clearance === "number" ? clearance : null} />
     </Box>
   );
 }

@@ -28,6 +28,8 @@ import { isOpenCrg, likelyKind } from "./columns";
 import { download } from "../../lib/download";
 
 interface Opened extends Pick<Item, "kind" | "value" | "name"> {
+  /** What to beware of: said beside the file's name. */
+  readonly cautions?: readonly string[];
   readonly warnings: readonly string[];
 }
 
@@ -91,7 +93,10 @@ export async function openAll(
   return {
     scenario,
     requirements: required ? requirementsIn(required.value.requirements) : null,
-    lines: [...wrong, ...opened.flatMap((content) => [added(content), ...content.warnings])],
+    lines: [
+      ...wrong,
+      ...opened.flatMap((content) => [[added(content), ...(content.cautions ?? [])].join(" "), ...content.warnings]),
+    ],
     isWrong: wrong.length > 0,
     asked,
   };
@@ -118,8 +123,9 @@ async function upload(name: string, text: string, form: ScenarioSchema, wanted: 
 const stemOf = (name: string) => name.replace(/\.\w+$/, "") || "File";
 
 /** Its head, as the library keeps it. */
-function roadItem(name: string, { warnings, id, length, samples, bumps }: CreatedRoad): Opened {
-  return { kind: "road", name, value: { id, length, samples, bumps }, warnings };
+function roadItem(name: string, { cautions, warnings, id, length, samples, bumps }: CreatedRoad): Opened {
+  const value = { id, length, samples, bumps };
+  return { kind: "road", name, value, cautions: cautions.map(({ text }) => text), warnings };
 }
 
 async function uploadGrid(file: File, wheels: Wheels | undefined): Promise<Opened> {
@@ -147,7 +153,7 @@ async function checked(
         : content.value;
   try {
     const { scenario } = await api.createRun(sent, [DEFAULT_VIEW.baseline]);
-    return { scenario, warnings: road?.warnings ?? [] };
+    return { scenario, warnings: road ? [...road.cautions.map(({ text }) => text), ...road.warnings] : [] };
   } catch (error) {
     if (!(error instanceof ApiProblem) || error.errors.length === 0) throw error;
     throw new Error(faultsOf(form, sent, error.errors).join(". "), { cause: error });

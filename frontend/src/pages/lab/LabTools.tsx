@@ -26,6 +26,9 @@ import { makeResultView } from "../../lab/resultView";
 import { viewToShare } from "../../lab/sharing";
 import { ShareLink } from "../../features/share/ShareLink";
 
+const DataSheetDialog = lazy(() =>
+  import("../../features/editor/DataSheetDialog").then((module) => ({ default: module.DataSheetDialog })),
+);
 const Tour = lazy(() => import("../../features/tour/Tour").then((module) => ({ default: module.Tour })));
 
 export function LabTools() {
@@ -84,12 +87,22 @@ export function LabActions() {
     endOffer();
     setTouring(true);
   });
+  const [hasSheet, setHasSheet] = useState(false);
+  useAction("dataSheet", canEdit ? () => setHasSheet(true) : null);
+  const closeSheet = () => setHasSheet(false);
   return (
-    touring && (
-      <LazyPart onClose={() => setTouring(false)}>
-        <Tour onEnd={() => setTouring(false)} />
-      </LazyPart>
-    )
+    <>
+      {touring && (
+        <LazyPart onClose={() => setTouring(false)}>
+          <Tour onEnd={() => setTouring(false)} />
+        </LazyPart>
+      )}
+      {hasSheet && (
+        <LazyPart onClose={closeSheet}>
+          <DataSheetDialog onClose={closeSheet} />
+        </LazyPart>
+      )}
+    </>
   );
 }
 
