@@ -33,9 +33,9 @@ from sim_core.strategies.effects import conditional_reads
 
 
 def schema() -> bytes:
-    """JSON Schema of the scenario, with the options of controllers of one's own that there are; its version; data sheets'.
+    """JSON Schema of the scenario, with the options of controllers of one's own that there are, and its version.
 
-    A data sheet is what `POST /vehicles/from-data-sheet` takes.
+    Beside it stands the schema of a data sheet, which `POST /vehicles/from-data-sheet` takes.
     """
     plain = _scenario_schema()
     parts = {f"{dotted.OWN}{each.id}": each for each in own.descriptions() if each.options}
