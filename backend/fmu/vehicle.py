@@ -39,6 +39,8 @@ _DAMPERS = (
 _CURVES = (
     "/* Generated. Of each damper: how many points its curve has, 0 for none; velocities [m/s]; forces [N]. */\n"
     "static const double curves[] = {{{}}};\n"
+    "/* How much further than the believed car's its body's weight compresses front and rear suspension [m]. */\n"
+    "static const double lowered[] = {{{}}};\n"
 )
 
 
@@ -67,7 +69,9 @@ def vehicle_model(scenario: Scenario) -> Model:
         sources={
             **sources(("model.h", "instance.h", "vehicle.c")),
             **sources(("car.c", "record.c", "road.c", "loop.h", "numbers.h", "qp.h", "record.h", "road.h"), FOLDER),
-            "ridelab_curves.h": _CURVES.format(", ".join(map(repr, curves(vehicle).tolist()))),
+            "ridelab_curves.h": _CURVES.format(
+                *(", ".join(map(repr, each)) for each in (curves(vehicle).tolist(), vehicle.lowered))
+            ),
         },
         sizes={"KEPT_STEPS": KEPT_STEPS, "KEPT_NUMBERS": 2 + CAUSES * NUMBERS},
         step=1e-3,

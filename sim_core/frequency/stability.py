@@ -82,9 +82,12 @@ def damping(closed: FloatArray, step: float) -> float:
 
 
 def _near_rest(vehicle: Vehicle) -> Vehicle:
-    """As it is around rest: no stop is met, no tyre lifts off, dampers are straight in either direction."""
+    """As it is around rest: no further stop is met, no tyre lifts off, dampers are straight in either direction."""
     front, rear = vehicle.damping_at_rest
     changes: dict[str, object] = {"bump_stop_clearance": None, "tyre_lift_off": False}
+    for axle, clearances in zip(("front", "rear"), zip(*vehicle.stop_clearances, strict=True), strict=True):
+        if min(clearances) < 0:  # it rests on a stop
+            changes[f"{axle}_spring"] = getattr(vehicle, f"{axle}_spring") + vehicle.bump_stop_stiffness
     if vehicle.damper_curves is not None:
         curves = [straight(*slopes_at_rest(points)) for points in vehicle.damper_curves]
         changes |= {"front_damper_curve": curves[0], "rear_damper_curve": curves[1]}

@@ -27,7 +27,8 @@ struct vehicle {
     double turns;                   /* 1 where the slope of the dampers' force depends on its direction, else 0 */
     double semi_active, most_force; /* whether they are; what control changes of the passive damper's force at most [N] */
     double body_share[AXLES], pitch_share[AXLES]; /* of a force of the suspension in the body's two accelerations */
-    double arm[AXLES], per_wheel_mass[AXLES], spring[AXLES], rebound[AXLES], compression[AXLES], clearance[AXLES];
+    double arm[AXLES], per_wheel_mass[AXLES], spring[AXLES], rebound[AXLES], compression[AXLES];
+    double clearance_down[AXLES], clearance_up[AXLES]; /* from rest to the stops; below 0 where it rests on one */
     double stop[AXLES], tyre[AXLES], lift_off[AXLES], link[AXLES];
     double least_damping[AXLES], most_damping[AXLES]; /* of semi-active dampers */
     struct curve {
@@ -124,7 +125,8 @@ static inline int side(const struct vehicle *vehicle, const struct state *x)
     int sides = 0;
     for (int axle = 0; axle < AXLES; axle++) {
         double travel = x->at[TRAVEL + axle], speed = vehicle->turns * travel_speed(vehicle, axle, x);
-        int own = EXTENDED * (travel > vehicle->clearance[axle]) | COMPRESSED * (travel < -vehicle->clearance[axle]) |
+        int own = EXTENDED * (travel > vehicle->clearance_up[axle]) |
+                  COMPRESSED * (travel < -vehicle->clearance_down[axle]) |
                   LIFTED * (-vehicle->tyre[axle] * x->at[TYRE + axle] < vehicle->lift_off[axle]) | REBOUNDS * (speed > 0);
         sides |= own << OF_AXLE * axle | MAY_TURN * (fabs(speed) < slow);
     }
@@ -136,10 +138,12 @@ static inline struct mode mode_of(const struct vehicle *vehicle, int sides)
     struct mode mode;
     for (int axle = 0; axle < AXLES; axle++) {
         int own = sides >> OF_AXLE * axle, stopped = own & (EXTENDED | COMPRESSED);
-        double meets = vehicle->stop[axle] * vehicle->clearance[axle];
+        double down = vehicle->stop[axle] * vehicle->clearance_down[axle];
+        double up = vehicle->stop[axle] * vehicle->clearance_up[axle];
+        double at_rest = down < 0 ? down : up < 0 ? -up : 0; /* of a stop that bears part of the weight */
         mode.damping[axle] = own & REBOUNDS ? vehicle->rebound[axle] : vehicle->compression[axle];
         mode.spring[axle] = vehicle->spring[axle] + (stopped ? vehicle->stop[axle] : 0);
-        mode.stop[axle] = !stopped ? 0 : own & EXTENDED ? -meets : meets;
+        mode.stop[axle] = (!stopped ? 0 : own & EXTENDED ? -up : down) - at_rest;
         mode.tyre[axle] = own & LIFTED ? 0 : vehicle->tyre[axle];
         mode.lifted[axle] = own & LIFTED ? vehicle->lift_off[axle] : 0;
     }
@@ -343,10 +347,10 @@ static double first_event(const struct vehicle *vehicle, const struct state *x, 
 {
     double share = 1 - NEAR;
     for (int axle = 0; axle < AXLES; axle++) {
-        double clearance = vehicle->clearance[axle], tyre = vehicle->tyre[axle], lift_off = vehicle->lift_off[axle];
+        double tyre = vehicle->tyre[axle], lift_off = vehicle->lift_off[axle];
         double travel = x->at[TRAVEL + axle], later = next->at[TRAVEL + axle];
-        share = crossing(travel - clearance, later - clearance, share);
-        share = crossing(-travel - clearance, -later - clearance, share);
+        share = crossing(travel - vehicle->clearance_up[axle], later - vehicle->clearance_up[axle], share);
+        share = crossing(-travel - vehicle->clearance_down[axle], -later - vehicle->clearance_down[axle], share);
         share = crossing(tyre * x->at[TYRE + axle] + lift_off, tyre * next->at[TYRE + axle] + lift_off, share);
         double speed = travel_speed(vehicle, axle, x), then = travel_speed(vehicle, axle, next);
         share = crossing(vehicle->turns * speed, vehicle->turns * then, share);

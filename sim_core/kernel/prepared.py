@@ -164,7 +164,7 @@ class DrivenCar:
     its estimate (8,) comes before them, so that p begins with what a controller acts on.
 
     Args:
-        vehicle: (119,), as `struct vehicle` of car.c has them.
+        vehicle: (121,), as `struct vehicle` of car.c has them.
         states: 8, or 10 with a lagging actuator's.
         effects: A linear car's fine step (20, 10), as `struct linear_step` has it; None of another.
         steps: Control steps of the drive.

@@ -34,7 +34,7 @@ struct record_numbers {
     double sections, weighted_samples; /* how many */
     double instants;                   /* of the drive in fine steps, and one */
     double stiffness[AXLES], least_load[AXLES], airborne_load[AXLES]; /* of the tyres; the last where they are in the air */
-    double clearance;                  /* of the bump stops either way [m], infinity without any */
+    double clearance_down[AXLES], clearance_up[AXLES]; /* from rest to the bump stops [m], infinity without any */
 };
 
 struct recorder {
@@ -129,13 +129,18 @@ static void add_airborne(struct recorder *me, double last)
     }
 }
 
+static inline int is_on_stop(const struct record_numbers *numbers, int axle, double travel)
+{
+    return travel < -numbers->clearance_down[axle] || travel > numbers->clearance_up[axle];
+}
+
 /* Time with either suspension deflected beyond the clearance of its bump stops. */
 static void add_on_stops(struct recorder *me, double last)
 {
-    double most = 0, clearance = me->numbers->clearance;
+    double most = 0;
     for (int i = 0; i <= (int)me->numbers->fine; i++) {
         const double *travel = me->samples[i] + TRAVEL_SIGNAL;
-        me->work[i] = fabs(travel[0]) > clearance || fabs(travel[1]) > clearance;
+        me->work[i] = is_on_stop(me->numbers, 0, travel[0]) || is_on_stop(me->numbers, 1, travel[1]);
     }
     me->found->on_stops += trapezoids(me->work, last, &most);
 }
@@ -241,8 +246,9 @@ void ridelab_record(struct recorder *me, int step)
     if (last > 0 && (highest[LOAD - ACCELERATION] >= -numbers->airborne_load[0] ||
                      highest[LOAD - ACCELERATION + 1] >= -numbers->airborne_load[1]))
         add_airborne(me, last);
-    if (last > 0 && (highest[TRAVEL_SIGNAL - ACCELERATION] > numbers->clearance ||
-                     highest[TRAVEL_SIGNAL - ACCELERATION + 1] > numbers->clearance))
+    double front = highest[TRAVEL_SIGNAL - ACCELERATION], rear = highest[TRAVEL_SIGNAL - ACCELERATION + 1];
+    if (last > 0 && (is_on_stop(numbers, 0, front) || is_on_stop(numbers, 0, -front) || is_on_stop(numbers, 1, rear) ||
+                     is_on_stop(numbers, 1, -rear)))
         add_on_stops(me, last);
     int samples = (int)numbers->weighted_samples - begin;
     add_weighted(me, samples < fine ? samples : fine);

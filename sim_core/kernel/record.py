@@ -34,7 +34,8 @@ class Recorder:
         weighted_samples: Samples of which the acceleration is weighted.
         weighting: `struct weighting` of record.c (24,).
         tyres: Of both axles their stiffness [N/m], lowest load and that at which they are in the air [N] (3, 2).
-        clearance: Of the bump stops either way [m]; infinity without any.
+        clearance: From rest to the bump stops of both axles, in compression, then in rebound (2, 2) [m]; infinite
+            without any.
         road: Samples of its roughness (m,) [m] and layout (9,).
         position: Of both axles at every fine instant of the drive (2, n) [m].
         height: Of the road there [m].
@@ -59,7 +60,7 @@ class Recorder:
         weighted_samples: int,
         weighting: FloatArray,
         tyres: FloatArray,
-        clearance: float,
+        clearance: FloatArray,
         road: tuple[FloatArray, FloatArray],
         position: FloatArray,
         height: FloatArray,
@@ -72,7 +73,10 @@ class Recorder:
         require(position.shape == height.shape == (2, instants) and instants > 1, "Two axles on a road")
         outermost = position[0, 0], position[0, -1], position[1, 0], position[1, -1]
         require(all(map(isfinite, outermost)) and kinks[-1] == np.inf, "An axle is somewhere, no kink last")
-        require(tyres.shape == (3, 2) and 0 <= first < self.steps, "Two tyres, and a record within the drive")
+        require(
+            tyres.shape == (3, 2) and clearance.shape == (2, 2), "Two tyres, and two suspensions with stops either way"
+        )
+        require(0 <= first < self.steps, "A record within the drive")
         require(ends.shape == (sections, 2) and len(rise) == sections > 0, "Every section has two ends and a rise")
         on_record = fine * (self.steps - first)
         places = [0, *ends.ravel().tolist(), on_record]
@@ -82,7 +86,9 @@ class Recorder:
         self._found = np.zeros(_FOUND)
         self.samples = np.empty((fine + 1, SIGNALS))
         self.prepared = _prepare_recorder.prepare(
-            np.array([fine, first, sections, weighted_samples, instants, *tyres.ravel(), clearance], dtype=np.float64),
+            np.array(
+                [fine, first, sections, weighted_samples, instants, *tyres.flat, *clearance.flat], dtype=np.float64
+            ),
             *(ends, rise, self.integrals, self.peaks, self._found, weighting, self.samples, np.empty(fine + 1)),
             *(samples, len(samples), layout, position, height, kinks),
         )

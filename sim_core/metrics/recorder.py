@@ -16,7 +16,6 @@ def make_recorder(run: Run, windows: Windows) -> Recorder:
     excitation, short, vehicle = run.excitation, run.steps.short, run.scenario.real_vehicle
     lifted = [-static for static in vehicle.static_loads]
     least = lifted if vehicle.tyre_lift_off else [-inf, -inf]  # one that does not lift off pulls on the road
-    clearance = inf if vehicle.bump_stop_clearance is None else vehicle.bump_stop_clearance
     grid, surface = excitation.grid, excitation.surface
     beside, on_bump = surface.slope_range()
     return Recorder(
@@ -27,7 +26,7 @@ def make_recorder(run: Run, windows: Windows) -> Recorder:
         weighted_samples=len(grid.series["time"]),
         weighting=weighting(grid.fine_step),
         tyres=np.array([[vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness], least, lifted]),
-        clearance=clearance,
+        clearance=np.array(vehicle.stop_clearances),
         road=(surface.roughness, surface.layout),
         position=grid.axles,
         height=excitation.height,

@@ -24,7 +24,7 @@ _ROWS = {key: row for row, key in enumerate(METRIC_SIGNALS)}
 
 
 def sampled_sums(
-    signals: Mapping[str, FloatArray], sections: Sequence[Span | None], static: Span, clearance: float | None
+    signals: Mapping[str, FloatArray], sections: Sequence[Span | None], static: Span, clearances: tuple[Span, Span]
 ) -> Sums:
     """Return the sums of a recorded drive.
 
@@ -33,13 +33,14 @@ def sampled_sums(
         sections: First and last time of the rough road, the bump and what follows it [s]; None for one that was not
             recorded.
         static: Load of both tyres at rest [N].
-        clearance: Of the bump stops either way [m]; None without any.
+        clearances: From rest to the bump stops of both axles, in compression, then in rebound [m]; infinite without.
 
     Example:
         >>> import numpy as np
         >>> signals = {key: np.full(3, np.nan) for key in METRIC_SIGNALS}
         >>> signals |= {"time": np.array([0.0, 1.0, 2.0]), "front_force": np.array([0.0, 3.0, 0.0])}
-        >>> sums = sampled_sums(signals, [(0.0, 1.0), (1.0, 2.0), (2.0, 2.0)], (1.0, 1.0), None)
+        >>> stops = (0.1, 0.1), (0.1, 0.1)
+        >>> sums = sampled_sums(signals, [(0.0, 1.0), (1.0, 2.0), (2.0, 2.0)], (1.0, 1.0), stops)
         >>> float(sums.squares[0, 6]), float(sums.peaks[1, 6])
         (4.5, 3.0)
     """
@@ -61,7 +62,7 @@ def sampled_sums(
         power=power,
         peak_power=peak_power,
         airborne=_airborne(time, table, whole, static),
-        on_stops=_on_stops(time, table, whole, clearance),
+        on_stops=_on_stops(time, table, whole, clearances),
     )
 
 
@@ -157,15 +158,16 @@ def _airborne(time: FloatArray, table: FloatArray, span: Span | None, static: Sp
     return tuple(float(np.trapezoid(each, at)) for each in (off.max(axis=0), *off))
 
 
-def _on_stops(time: FloatArray, table: FloatArray, span: Span | None, clearance: float | None) -> float:
+def _on_stops(time: FloatArray, table: FloatArray, span: Span | None, clearances: tuple[Span, Span]) -> float:
     """Return for how long either suspension was beyond the clearance of its bump stops [s]."""
-    if clearance is None:
+    down, up = np.array(clearances)[:, :, None]
+    if np.isinf(down).all():
         return 0.0
     if span is None:
         return nan
     at, rows = _cut(time, table, span)
     deflections = rows[[_ROWS["front_deflection"], _ROWS["rear_deflection"]]]
-    beyond = np.where(np.isnan(deflections), nan, np.abs(deflections) > clearance)
+    beyond = np.where(np.isnan(deflections), nan, (deflections < -down) | (deflections > up))
     return float(np.trapezoid(beyond.max(axis=0), at))
 
 

@@ -97,7 +97,7 @@ def _evaluated(
     edges = [0.0, scenario.bump_start, min(scenario.bump_left, road.length), road.length]
     sections = [_times(start, stop, position, time) for start, stop in pairwise(edges)]
     static = vehicle.static_loads
-    sums = sampled_sums(signals, sections, static, vehicle.bump_stop_clearance)
+    sums = sampled_sums(signals, sections, static, vehicle.stop_clearances)
     at_kinks = peaks_at_kinks(scenario, signals, sections)
     if at_kinks is not None:
         loads = [METRIC_SIGNALS.index(f"{axle}_tyre_load") for axle in ("front", "rear")]

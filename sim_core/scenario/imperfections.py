@@ -1,5 +1,6 @@
 """Parts of the scenario for what is not ideal; by default everything is, as in the paper."""
 
+from math import copysign
 from typing import Annotated, Literal
 
 from sim_core.scenario.damper import scaled
@@ -75,12 +76,34 @@ class Mismatch(Part):
             "rebound_ratio": self.rebound_ratio,
         }
         curves = ("front_damper_curve", "rear_damper_curve")
-        return vehicle.model_copy(
+        real = vehicle.model_copy(
             update={
                 **{name: getattr(vehicle, name) * factor for name, factor in factors.items()},
                 **{name: scaled(getattr(vehicle, name), self.damping) for name in curves},
             }
         )
+        real._lowered = _lowered(vehicle, real)
+        return real
+
+
+def _lowered(believed: Vehicle, real: Vehicle) -> tuple[float, float]:
+    """Return how much further the real car's weight compresses front and rear suspension than the believed one's [m].
+
+    Springs have the same length without a load, and stops stay where they are: the weight W of the body is borne where
+    W = k (sag + x) + k_stop (|x| - clearance) sign x, the last beyond the clearance only.
+    """
+    clearance, stop = real.bump_stop_clearance, real.bump_stop_stiffness
+
+    def beyond(free: float, spring: float) -> float:
+        if clearance is None or abs(free) <= clearance:
+            return free
+        return copysign((spring * abs(free) + stop * clearance) / (spring + stop), free)
+
+    (believed_front, believed_rear), (front, rear) = believed.body_loads, real.body_loads
+    return (
+        beyond(front / real.front_spring - believed_front / believed.front_spring, real.front_spring),
+        beyond(rear / real.rear_spring - believed_rear / believed.rear_spring, real.rear_spring),
+    )
 
 
 class Estimation(Part):

@@ -1,6 +1,9 @@
 """The half-car's parameters (Table 2)."""
 
+from math import inf
 from typing import Annotated
+
+from pydantic import PrivateAttr
 
 from sim_core.scenario.damper import DamperCurve, slopes_at_rest, straight
 from sim_core.scenario.fields import ADDED, Part, field, quantity
@@ -71,7 +74,10 @@ class Vehicle(Part):
         None, "Rear damper curve", "The same of the rear damper."
     )
     bump_stop_clearance: Annotated[Clearance, ADDED] = field(
-        None, "Clearance of the stops", "Travel either way from rest until a stop is met; none is a car without stops."
+        None,
+        "Clearance of the stops",
+        "Travel either way from rest until a stop is met. A load, or softer springs, of the real car alone (mismatch) "
+        "use up some of it in compression; none is a car without stops.",
     )
     bump_stop_stiffness: Annotated[StopStiffness, ADDED] = field(
         200_000, "Stiffness of the stops", "Added to the spring's beyond the clearance (ours)."
@@ -94,6 +100,23 @@ class Vehicle(Part):
     front_brake_share: Annotated[float, quantity("1", soft=(0.5, 0.9), ge=0, le=1), ADDED] = field(
         0.7, "Front brakes' share", "Of the braking force (ours); for anti-dive."
     )
+
+    _lowered: tuple[float, float] = PrivateAttr((0.0, 0.0))
+
+    @property
+    def lowered(self) -> tuple[float, float]:
+        """How much further than that of the believed car its body's weight compresses front and rear suspension [m]."""
+        return self._lowered
+
+    @property
+    def stop_clearances(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Travel from rest to the stops in compression, front and rear, then in rebound [m].
+
+        Infinite without stops, below 0 where the car rests on one.
+        """
+        clearance = inf if self.bump_stop_clearance is None else self.bump_stop_clearance
+        front, rear = self._lowered
+        return (clearance - front, clearance - rear), (clearance + front, clearance + rear)
 
     @property
     def link_forces(self) -> tuple[float, float]:
@@ -143,13 +166,16 @@ class Vehicle(Part):
         return self.body_mass + self.front_wheel_mass + self.rear_wheel_mass
 
     @property
+    def body_loads(self) -> tuple[float, float]:
+        """Weight of the body on the front and the rear suspension [N]."""
+        body = self.body_mass * GRAVITY / self.wheelbase
+        return body * self.cg_to_rear, body * self.cg_to_front
+
+    @property
     def static_loads(self) -> tuple[float, float]:
         """Static tyre loads, front and rear [N]: each axle's share of the body, and its wheel."""
-        body = self.body_mass * GRAVITY / self.wheelbase
-        return (
-            body * self.cg_to_rear + self.front_wheel_mass * GRAVITY,
-            body * self.cg_to_front + self.rear_wheel_mass * GRAVITY,
-        )
+        front, rear = self.body_loads
+        return front + self.front_wheel_mass * GRAVITY, rear + self.rear_wheel_mass * GRAVITY
 
 
 GRAVITY = 9.80665  # standard gravity [m/s^2]

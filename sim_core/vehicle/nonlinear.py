@@ -64,11 +64,11 @@ def _corner(actuator: Actuator) -> float:
 
 @small_cached(128)
 def numbers(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | None) -> FloatArray:
-    """`struct vehicle` of kernel/car.c (119,)."""
+    """`struct vehicle` of kernel/car.c (121,)."""
     semi_active = dampers or SemiActiveDampers(least=0.0, most=0.0, most_force=0.0)
     compression, rebound = vehicle.damping_factors
     damping = np.array([vehicle.front_damping, vehicle.rear_damping])
-    clearance = inf if vehicle.bump_stop_clearance is None else vehicle.bump_stop_clearance
+    down, up = vehicle.stop_clearances
     front_and_rear = {
         "body_share": (1 / vehicle.body_mass, 1 / vehicle.body_mass),
         "pitch_share": (-vehicle.cg_to_front / vehicle.pitch_inertia, vehicle.cg_to_rear / vehicle.pitch_inertia),
@@ -77,7 +77,8 @@ def numbers(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | N
         "spring": (vehicle.front_spring, vehicle.rear_spring),
         "rebound": tuple(rebound * damping),
         "compression": tuple(compression * damping),
-        "clearance": (clearance, clearance),
+        "clearance_down": down,
+        "clearance_up": up,
         "stop": (vehicle.bump_stop_stiffness, vehicle.bump_stop_stiffness),
         "tyre": (vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness),
         "lift_off": tuple(-load if vehicle.tyre_lift_off else -inf for load in vehicle.static_loads),

@@ -30,7 +30,7 @@ def recorder(fine: int, steps: int, ends: FloatArray, **changed: Any) -> Recorde
         "weighted_samples": fine * (steps - 1) + 1,
         "weighting": np.zeros(WEIGHTING),
         "tyres": np.array([[1.0, 1.0], [-np.inf, -np.inf], [-STATIC, -STATIC]]),
-        "clearance": np.inf,
+        "clearance": np.full((2, 2), np.inf),
         "road": (np.zeros(50), LAYOUT),
         "position": np.zeros((2, instants)),
         "height": np.zeros((2, instants)),
@@ -106,7 +106,7 @@ def test_time_on_the_stops_is_that_of_either_suspension_beyond_the_clearance(
     beyond = (np.abs(table[:, :, 6:8]) > 1.2).any(axis=2)
     assert 0 < beyond.sum() < beyond.size
     expected = in_section("value", beyond.astype(float), 0.0, last)[0]
-    assert measured(table, ends, clearance=1.2).on_stops == pytest.approx(expected, rel=1e-12)
+    assert measured(table, ends, clearance=np.full((2, 2), 1.2)).on_stops == pytest.approx(expected, rel=1e-12)
     assert measured(table, ends).on_stops == 0, "there are none"
 
 

@@ -1,13 +1,15 @@
 """Unequal dampers, bump stops and tyres that lift off, against an adaptive solver and known properties."""
 
-from typing import Literal
+from typing import Any, Literal
 from unittest.mock import patch
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from sim_core.catalogue import STAGES
 from sim_core.scenario import Actuator, Bump, Estimation, Hil, Mismatch, Road, Scenario, Vehicle
+from sim_core.scenario.vehicle import GRAVITY
 from sim_core.simulate import prepare, simulate
 from tests.results import event
 from tests.validation.nonlinear_loops import errors, loop, worst
@@ -108,6 +110,45 @@ def test_time_on_the_stops_is_the_time_beyond_their_clearance() -> None:
     assert event(met, "stop_contact_ms") == pytest.approx(1000 * step * beyond.sum(), abs=8000 * step)
     assert event(met, "stop_contact_ms") > 10
     assert event(simulate(Scenario(road=kerb), "passive"), "stop_contact_ms") == 0
+
+
+@pytest.mark.parametrize(
+    ("mismatch", "clearance"),
+    [({"body_mass": 1.15}, 0.06), ({"body_mass": 1.3}, 0.06), ({"springs": 0.8}, 0.1), ({"body_mass": 0.75}, 0.06)],
+)
+def test_a_load_that_nobody_knows_of_uses_up_travel(mismatch: dict[str, float], clearance: float) -> None:
+    """Stops stay where they are: their clearance counts from the believed car's rest, wherever the real one's is.
+
+    There springs and stops bear the body's weight, found by bisection; beyond it their force moves the body. In the
+    second case the front rests on a stop in compression, in the last one in rebound.
+    """
+    scenario = Scenario(
+        vehicle=Vehicle(bump_stop_clearance=clearance),
+        mismatch=Mismatch.model_validate(mismatch),
+        road=Road(roughness=0, bump=Bump(height=0.12)),
+    )
+    real, believed = scenario.real_vehicle, scenario.vehicle
+    result = simulate(scenario, "passive")
+    force, beyond = real.body_mass * result.series["body_acceleration"], []
+    per_metre = GRAVITY / believed.wheelbase
+    for axle, arm in (("front", believed.cg_to_rear), ("rear", believed.cg_to_front)):
+        k, c = getattr(real, f"{axle}_spring"), getattr(real, f"{axle}_damping")
+        sag = believed.body_mass * per_metre * arm / getattr(believed, f"{axle}_spring")
+
+        def bears(lower: Any, k: float = k, sag: float = sag) -> Any:
+            return k * (sag + lower) + real.bump_stop_stiffness * np.sign(lower) * np.maximum(abs(lower) - clearance, 0)
+
+        weight = real.body_mass * per_metre * arm
+        rest = brentq(lambda lower, bears=bears, weight=weight: bears(lower) - weight, -1, 1, xtol=1e-12)
+        travel = result.series[f"{axle}_deflection"]
+        force += weight - bears(rest - travel) + c * np.gradient(travel, result.series["time"])
+        beyond.append(abs(rest - travel) > clearance)
+    assert np.median(abs(force)) < 0.002 * abs(real.body_mass * result.series["body_acceleration"]).max()
+    step = float(result.series["time"][1])
+    assert event(result, "stop_contact_ms") == pytest.approx(
+        1000 * step * np.any(beyond, axis=0).sum(), abs=8000 * step
+    )
+    assert event(result, "stop_contact_ms") > 10
 
 
 def test_controllers_believe_in_the_linear_car() -> None:

@@ -80,7 +80,7 @@ def test_a_kink_between_two_samples_counts_where_it_may_raise_the_peak(spare: fl
         weighted_samples=4,
         weighting=np.zeros(WEIGHTING),
         tyres=np.array([[stiffness, stiffness], [-np.inf, -np.inf], [-np.inf, -np.inf]]),
-        clearance=np.inf,
+        clearance=np.full((2, 2), np.inf),
         road=(surface.roughness, surface.layout),
         position=axles,
         height=surface.height(axles),

@@ -19,7 +19,7 @@ void ridelab_prepare_car(struct car *me, const struct vehicle *vehicle, int stat
                          int substeps, double time, struct recorder *recorder);
 void ridelab_sample(struct car *me, const double *loop, int first, int steps, double (*one)[SIGNALS], double *samples);
 
-enum { LAGGING = STATE + FORCES, VEHICLE_NUMBERS = 119 };
+enum { LAGGING = STATE + FORCES, VEHICLE_NUMBERS = 121 };
 static const double MOST_SUBSTEPS = 1e6;
 
 struct memory {
@@ -49,7 +49,8 @@ static void fill_vehicle(const double *value, double *to)
         1 / value[V_FRONT_WHEEL_MASS], 1 / value[V_REAR_WHEEL_MASS], value[V_FRONT_SPRING], value[V_REAR_SPRING],
         rebound * value[V_FRONT_DAMPING], rebound * value[V_REAR_DAMPING],
         compression * value[V_FRONT_DAMPING], compression * value[V_REAR_DAMPING],
-        clearance, clearance, stop, stop, value[V_FRONT_TYRE_STIFFNESS], value[V_REAR_TYRE_STIFFNESS],
+        clearance - lowered[0], clearance - lowered[1], clearance + lowered[0], clearance + lowered[1], stop, stop,
+        value[V_FRONT_TYRE_STIFFNESS], value[V_REAR_TYRE_STIFFNESS],
         lifts > 0 ? -front_load : -INFINITY, lifts > 0 ? -rear_load : -INFINITY,
         share * value[V_ANTI_DIVE] * transfer, -(1 - share) * value[V_ANTI_LIFT] * transfer, 0, 0, 0, 0,
     };

@@ -73,7 +73,7 @@ class SolvedCar:
         self._rebound = [2 * ratio / (1 + ratio) * each for each in damping]
         curves = vehicle.front_damper_curve, vehicle.rear_damper_curve
         self._curves = [curve and tuple(zip(*sorted({*curve, (0.0, 0.0)}), strict=True)) for curve in curves]
-        self._clearance: float = vehicle.bump_stop_clearance or np.inf
+        self._down, self._up = vehicle.stop_clearances
         self._stop, self._link = vehicle.bump_stop_stiffness, vehicle.link_forces
         lifts = vehicle.tyre_lift_off
         self._lowest: list[float] = [-each if lifts else -np.inf for each in vehicle.static_loads]
@@ -175,11 +175,14 @@ class SolvedCar:
             aim = min(max(-aim / (speed or np.inf), least - passive), most - passive)
         return self._corner * (aim - actuated)
 
+    def _stopping(self, axle: int, travel: float) -> float:
+        """Force of both stops."""
+        return self._stop * (min(travel + self._down[axle], 0.0) + max(travel - self._up[axle], 0.0))
+
     def _strut(self, axle: int, travel: float, speed: float, actuated: float) -> float:
         """Force between body and wheel."""
         force = self._spring[axle] * travel + self._damping(axle, speed) * speed
-        if abs(travel) > self._clearance:
-            force += self._stop * (travel - self._clearance if travel > 0 else travel + self._clearance)
+        force += self._stopping(axle, travel) - self._stopping(axle, 0.0)
         return force - self._control(axle, speed, actuated) - self._link[axle] * self._brakes
 
     def _rates(self, time: float, x: list[float]) -> list[float]:
