@@ -16,7 +16,7 @@ unexport PYTHONDONTWRITEBYTECODE
 MAKEFLAGS += --jobs=3  # packages and page side by side; the tests beside both halves of the checks, which give way to them
 .DELETE_ON_ERROR:  # a half-made page or manual is made again
 
-.PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust nearest figures manual setup development compiler lock pin dist clean
+.PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust nearest figures manual setup development compiler lock pin dist dist-empty dist-rest clean
 
 run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
@@ -168,20 +168,27 @@ lock: ## new lock files, without download addresses
 pin: ## base images by digest, in Dockerfile and docker-compose.yml; needs docker and its registry
 	backend/deploy/pin_images.sh
 
-# By setuptools itself, beside which nothing is installed; a platform's wheel has the core's C compiled by zig.
+# By setuptools itself, beside which nothing is installed; a platform's wheel has the core's C compiled by zig. Platforms side
+# by side, each in a copy of the core: zig's own libraries for a platform take a minute or two of a processor the first time.
 PLATFORMS := manylinux_2_17_x86_64:x86_64-linux-gnu.2.17 manylinux_2_17_aarch64:aarch64-linux-gnu.2.17 \
 	win_amd64:x86_64-windows-gnu macosx_11_0_arm64:aarch64-macos macosx_11_0_x86_64:x86_64-macos
-META := PYTHONWARNINGS=ignore $(CURDIR)/$(BIN)/python -c 'import sys; from setuptools import build_meta; \
+BUILD_BACKEND := PYTHONWARNINGS=ignore $(CURDIR)/$(BIN)/python -c 'import sys; from setuptools import build_meta; \
 	_, method, *options = sys.argv; getattr(build_meta, method)("$(CURDIR)/dist", {"--build-option": options})'
-LEFTOVERS = rm -rf build/lib build/bdist.* sim_core/build client/build
-dist: development ## the three distributions in dist/: sources, wheels, and of the core a wheel for each platform
-	rm -rf dist && mkdir dist && $(LEFTOVERS)
+dist: $(foreach each,$(PLATFORMS),dist-core-$(firstword $(subst :, ,$(each)))) dist-rest ## the three distributions in dist/: sources, wheels, and of the core a wheel for each platform
+
+dist-empty: development
+	rm -rf dist build/lib build/bdist.* client/build sim_core/build && mkdir dist
+
+dist-rest: dist-empty
 	$(BIN)/python backend/deploy/sbom.py > build/sbom.cdx.json
-	for each in sim_core client .; do (cd $$each && $(META) build_sdist) || exit 1; done > dist/log
-	for each in client .; do (cd $$each && $(META) build_wheel) || exit 1; done >> dist/log
-	for each in $(PLATFORMS); do $(LEFTOVERS); (cd sim_core && CC="$(CURDIR)/$(BIN)/python -m ziglang cc -target $${each#*:}" \
-		$(META) build_wheel --plat-name $${each%%:*}) || exit 1; done >> dist/log
-	rm dist/log && $(LEFTOVERS)
+	for each in sim_core client .; do (cd $$each && $(BUILD_BACKEND) build_sdist) > build/log || exit 1; done
+	for each in client .; do (cd $$each && $(BUILD_BACKEND) build_wheel) > build/log || exit 1; done
+	rm -rf build/log build/lib build/bdist.* client/build
+
+dist-core-%: dist-empty
+	rm -rf build/core-$* && cp -R sim_core build/core-$*
+	(cd build/core-$* && CC="$(CURDIR)/$(BIN)/python -m ziglang cc -target $(patsubst $*:%,%,$(filter $*:%,$(PLATFORMS)))" $(BUILD_BACKEND) build_wheel --plat-name $*) > build/core-$*.log
+	rm -r build/core-$* build/core-$*.log
 
 clean:
 	rm -rf $(VENV) .cache build dist frontend/dist frontend/node_modules

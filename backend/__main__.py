@@ -272,7 +272,7 @@ def _serve(
             shown = f"[{options.host}]" if ":" in options.host else options.host
             address = f"http://{shown}:{listener.getsockname()[1]}"
             folder = settings.data_dir.absolute()
-            where = f"\nIts data are in {folder}\nCtrl-C ends it" * options.say_where
+            where = f"\nIts data are in {settings.shown_store}\nCtrl-C ends it" * options.say_where
             said = {"address": address, "data_dir": folder}
             _say(f"Ridelab is at {address}{where}", said, as_json=options.json)
             if options.open:

@@ -1,6 +1,7 @@
 """Settings of the service: defaults, overridden by `RIDELAB_*` environment variables and the command line."""
 
 import os
+import re
 from collections.abc import Mapping
 from difflib import get_close_matches
 from importlib.util import find_spec
@@ -183,6 +184,12 @@ class Settings(BaseModel):
             _check_certificates(files)
         return self
 
+    @field_validator("database_url")
+    @classmethod
+    def _name_driver(cls, url: str | None) -> str | None:
+        """A URL as other programs write it is of PostgreSQL by our driver."""
+        return url and re.sub(r"^postgres(ql)?://", "postgresql+psycopg://", url)
+
     @model_validator(mode="after")
     def _check_database(self) -> Self:
         """The URL is one of a kind we know, and a password has somewhere to go."""
@@ -206,6 +213,15 @@ class Settings(BaseModel):
     def hosts(self) -> frozenset[str]:
         """What `allowed_hosts` lists."""
         return frozenset(items(self.allowed_hosts))
+
+    @property
+    def shown_store(self) -> str:
+        """Where the data are, for people: the folder, or the database's URL without its password."""
+        if self.database_url is None:
+            return str(self.data_dir.absolute())
+        from sqlalchemy import make_url
+
+        return make_url(self.database_url).render_as_string(hide_password=True)
 
     @property
     def store_url(self) -> str:

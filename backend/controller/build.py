@@ -20,7 +20,8 @@ from sim_core.ecu.sources import CONTROLLER, SOURCES
 FLAGS = ("-std=c99", "-O2", "-ffp-contract=off", "-DRIDELAB_COUNTED")
 COMPILER_TIMEOUT = 80.0  # for the compiler; the first time ziglang builds its own runtime [s]
 FOLDER = "RIDELAB_ECU_DIR"
-REMEDY = "make compiler"  # installs the package ziglang, a C compiler that builds for the control unit too
+# The package is a C compiler that builds for the control unit too; the target is that of a checkout.
+REMEDY = "make compiler" if (Path(__file__).parents[2] / "Makefile").is_file() else "pip install ziglang"
 NO_COMPILER = f"There is no C compiler to build the ECU's program: install one (gcc, clang) or run “{REMEDY}”"
 TOO_LONG = "the compiler took too long"
 NO_CROSS_COMPILER = f"There is no compiler for the control unit's processor, a Cortex-M3: run “{REMEDY}”"

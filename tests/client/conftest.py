@@ -126,3 +126,11 @@ def cli(
     monkeypatch.setenv("RIDELAB_SERVER", ADDRESS)
     monkeypatch.setattr(Services, "at", lambda *_: ridelab)
     return Cli(capfdbinary)
+
+
+@pytest.fixture
+def scenario(tmp_path: Path) -> Path:
+    """A file with a short scenario."""
+    path = tmp_path / "scenario.json"
+    path.write_text(json.dumps(SHORT))
+    return path

@@ -46,6 +46,11 @@ def test_what_was_written_is_said_to_machines_and_in_a_terminal(
     assert json.loads(cli("export", batch, "--out", "b.csv", "--json")) == {"file": "b.csv", "size": 4, "format": "csv"}
     written = {"file": "ridelab.fmu", "size": len(archive.getvalue()), "platforms": ["win64"]}
     assert json.loads(cli("fmu", "--json")) == written
+    bare = io.BytesIO()
+    zipfile.ZipFile(bare, "w").close()
+    prepared.answers["POST /fmus"] = bare.getvalue()
+    assert json.loads(cli("fmu", "--json", code=1))["platforms"] == []
+    assert cli.error.startswith("It has a binary for no platform: no tool loads it before its sources are compiled")
     cli("export", batch, "--out", "-", "--format", "csv", "--json", code=2)
     assert "name another one" in cli.error
     assert (cli("export", batch, "--out", "b.csv"), cli.error) == ("", "")

@@ -13,8 +13,11 @@ import typer.main
 from typer.core import TyperGroup
 
 from ridelab.cli.app import app
-from tests.docs.sources import pages
+from tests.docs.sources import ROOT, pages
 
+BY_NAME = re.compile(
+    r"pip install(?: -\S+| '?[\w./*\[\]-]+'?)*? '?ridelab(?:-core|-server)?(?:\[\w+\])?'?(?![\w./*-])|--find-links"
+)
 BEGINS = r"(?:^|^\$ |[|&;] ?|\brun: |\b[A-Z_]{3,}(?:=\S+)? )"  # a line, or the command after another one or a variable
 NAMED = re.compile(rf"{BEGINS}ridelab((?: (?:'[^']*'|\"[^\"]*\"|[^\s`|>;&'\"]+))+)")
 CONTINUED = re.compile(r" *\\\n\s*")
@@ -47,3 +50,18 @@ def faults(words: list[str]) -> Iterator[str]:
 def test_a_command_that_a_page_names_is_there_with_its_options(name: str) -> None:
     wrong = [(fault, " ".join(words)) for words in named(PAGES[name]) for fault in faults(words)]
     assert wrong == []
+
+
+def test_nobody_is_told_to_install_ours_by_names_that_anybody_may_take() -> None:
+    """Files by their paths: the public index would be asked for the names, and nobody owns them there."""
+    sources = [path for folder in ("client/ridelab", "backend", "sim_core") for path in (ROOT / folder).rglob("*.py")]
+    texts = {**PAGES, **{str(path): path.read_text(encoding="utf-8") for path in sources}}
+    assert [name for name, text in texts.items() if BY_NAME.search(text)] == []
+
+
+def test_the_page_on_installing_names_every_platform_that_is_built() -> None:
+    platforms = re.findall(
+        r"(\w+):\S+-\S+", (ROOT / "Makefile").read_text().partition("PLATFORMS :=")[2].partition("\n\n")[0]
+    )
+    assert len(platforms) == 5
+    assert [name for name in platforms if f"{name}.whl" not in PAGES["docs/how-to/install.md"]] == []

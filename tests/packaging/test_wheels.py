@@ -139,14 +139,25 @@ def test_the_client_alone_is_small_and_asks_a_service(client: Environment, addre
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("serve", "server is not installed here: `pip install ridelab-server --find-links dist`"),
-        ("demo", "core is not installed here: `pip install ridelab-core --find-links dist`"),
+        (
+            "serve",
+            "server is not installed here: `pip install` takes the files of its wheels by their paths, ridelab_ser",
+        ),
+        ("demo", "core is not installed here: `pip install` takes the file of its wheel by its path, ridelab_core-"),
     ],
 )
 def test_what_needs_more_says_what_to_install(client: Environment, words: str, said: str) -> None:
     run = client.run("ridelab", *words.split())
     assert (run.returncode, run.stdout) == (3, "")
     assert run.stderr.startswith(f"Ridelab's {said}")
+
+
+def test_the_server_without_a_checkout_names_no_target_of_make(server: Environment) -> None:
+    said = server.run("python", "-c", "from backend.controller import build; print(build.NO_COMPILER)").stdout
+    assert (
+        said
+        == "There is no C compiler to build the ECU's program: install one (gcc, clang) or run “pip install ziglang”\n"
+    )
 
 
 @pytest.mark.parametrize(("path", "assets"), [("/", 2), ("/docs", 2)])

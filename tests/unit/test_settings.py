@@ -35,6 +35,14 @@ def test_the_password_of_the_database_comes_from_a_file(tmp_path: Path) -> None:
     assert ":another@" in settings.store_url, "read again: secrets are changed under a running service's feet"
 
 
+@pytest.mark.parametrize("scheme", ["postgres", "postgresql", "postgresql+psycopg"])
+def test_where_the_data_are_is_the_database_without_its_password(scheme: str, tmp_path: Path) -> None:
+    settings = Settings(data_dir=tmp_path, database_url=f"{scheme}://ridelab:secret@database/ridelab")
+    assert settings.store_url == "postgresql+psycopg://ridelab:secret@database/ridelab"
+    assert settings.shown_store == "postgresql+psycopg://ridelab:***@database/ridelab"
+    assert Settings(data_dir=tmp_path).shown_store == str(tmp_path)
+
+
 @pytest.mark.parametrize(
     ("name", "value", "said"),
     [

@@ -5,7 +5,7 @@ import zipfile
 from typing import Annotated
 
 from ridelab.cli import fields, options
-from ridelab.cli.reporting import InputError, check_out, deliver, note
+from ridelab.cli.reporting import DIFFERENT, InputError, check_out, deliver, failed, note
 from ridelab.cli.service import Services
 
 _OUT = "Write it there; - is stdout."
@@ -26,10 +26,14 @@ def fmu(
     changes: options.Changes = None,
     as_json: options.AsJson = False,
 ) -> None:
-    """Export a controller, or the vehicle, as an FMU for co-simulation, with its C and what could be compiled of it."""
+    """Export a controller, or the vehicle, as an FMU for co-simulation, with its C and what could be compiled of it.
+
+    The exit code is 1 where it could be compiled for no platform.
+    """
     if fmi not in ("2.0", "3.0"):
         raise InputError("--fmi is 2.0 or 3.0")
     check_out(out, as_json=as_json)
+    strategy = options.one_strategy(strategy)
     wanted = options.listed(platform, "--platform") or _PLATFORMS
     design = fields.scenario_of(scenario, changes, services)
     content = services.at().fmu(
@@ -38,5 +42,8 @@ def fmu(
     with zipfile.ZipFile(io.BytesIO(content)) as archive:
         inside = [name.split("/")[1] for name in archive.namelist() if name.startswith("binaries/")]
     deliver([content], out, as_json=as_json, platforms=inside)
+    if not inside:
+        reason = "no tool loads it before its sources are compiled; documentation/index.html inside says why"
+        raise failed(DIFFERENT, [f"It has a binary for no platform: {reason}"])
     missing = "" if len(inside) == len(wanted) else "; documentation/index.html inside says why others are missing"
-    note(f"Binaries for {', '.join(inside) or 'no platform'}{missing}")
+    note(f"Binaries for {', '.join(inside)}{missing}")

@@ -28,6 +28,7 @@ def instant(
     """
     if (position is None) == (time is None):
         raise InputError("Give --position or --time")
+    strategy = strategy and options.one_strategy(strategy)
     source = targets.find(target, services)
     ridelab = source.ridelab or services.at()
     run = source.run

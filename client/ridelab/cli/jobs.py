@@ -20,7 +20,7 @@ def list_jobs(
     services: Services,
     state: Annotated[str | None, options.option("STATE", "queued, running, done, cancelled or failed only.")] = None,
     label: Annotated[str | None, options.option("TEXT", "Of this label only.")] = None,
-    limit: Annotated[int, typer.Option(metavar="N", min=1, help="The newest N of each kind.")] = 20,
+    limit: Annotated[int, typer.Option(metavar="N", min=1, help="The newest N.")] = 20,
     as_json: options.AsJson = False,
 ) -> None:
     """The newest jobs first."""
@@ -29,7 +29,7 @@ def list_jobs(
         *ridelab.batches(state=state, label=label, limit=limit),
         *ridelab.tunings(state=state, label=label, limit=limit),
     ]
-    listed.sort(key=lambda job: str(job.answer["created_at"]), reverse=True)
+    listed = sorted(listed, key=lambda job: str(job.answer["created_at"]), reverse=True)[:limit]
     if as_json:
         print_json([{"kind": job.NAME, **job.answer} for job in listed])
     elif listed:

@@ -91,6 +91,17 @@ AsJson = Annotated[bool, flag("All of it, as JSON.", "--json")]
 Seed = Annotated[int, typer.Option(metavar="N", min=0, help="Of what is drawn: same seed, same points.")]
 
 
+def one_strategy(name: str) -> str:
+    """Return the strategy that `--strategy` names, for a command that takes one.
+
+    Raises:
+        InputError: It names several.
+    """
+    if "," in name:
+        raise InputError(f"--strategy: this command takes one strategy, and {name} are several")
+    return name
+
+
 def listed(names: list[str] | None, option: str = "--strategy") -> list[str]:
     """The names of an option that may be repeated and may hold commas, each once; none where it is left out.
 

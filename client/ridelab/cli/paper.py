@@ -9,6 +9,7 @@ from ridelab.cli import options
 from ridelab.cli.names import Names
 from ridelab.cli.reporting import InputError, deliver, folder_of, note, print_json, show_table
 from ridelab.cli.service import Services
+from ridelab.errors import RidelabAPIError
 
 _HEADS = ("table", "figure", "strategy", "against", "printed", "change", "ours", "change", "95 %", "verdict")
 _BLIND = ("without preview", "95 %", "verdict")
@@ -40,7 +41,13 @@ def paper(
         folder_of(str(report), "--report")
     ridelab = services.at()
     services.doing = f"Driving {asked['seeds']} roads"
-    answer = ridelab.paper(**asked)
+    try:
+        answer = ridelab.paper(**asked)
+    except RidelabAPIError as error:
+        wrong = [place.message for place in error.errors if place.parameter == "seeds"]
+        if wrong:  # there it is their number
+            raise InputError(f"--seeds: {seeds} are {asked['seeds']} roads. {wrong[0]}") from None
+        raise
     if report is not None:
         services.doing = "Making the report"
         deliver(ridelab.paper_report(**asked), report)
@@ -114,6 +121,8 @@ def _roads(text: str) -> dict[str, int]:
         begin, end = int(first or 1), int(last)
     except ValueError:
         raise InputError("--seeds takes N or A-B, such as 20 or 21-60") from None
+    if end < begin:
+        raise InputError(f"--seeds: {text} has no road; A-B takes the smaller seed first, such as 21-60")
     return {"seeds": end + 1 - begin, "first_seed": begin}
 
 

@@ -33,6 +33,10 @@ TERMINATED = 143  # 128 + SIGTERM
 
 MOMENT = 0.5  # shorter waits show nothing [s]
 _TRY_AGAIN = 429
+_LOGIN_HELP = (
+    "The service answers those with a token, and there was none, or none that it knows: "
+    "ridelab --token-file FILE COMMAND, or the variable RIDELAB_TOKEN; its operator gives tokens out"
+)
 _OPTIONS = {"strategies": "--strategy", "requirements": "--require"}
 _PART = re.compile(rf"^({'|'.join(_OPTIONS)})\[\d+\](?:\.\w+)?: ")
 
@@ -66,7 +70,8 @@ class ReportingGroup(TyperGroup):
             raise failed(BAD_INPUT, error.lines) from None
         except RidelabAPIError as error:
             there = error.status >= 500 or error.status == _TRY_AGAIN
-            raise failed(UNAVAILABLE if there else BAD_INPUT, map(_as_typed, error.lines)) from None
+            lines = [_LOGIN_HELP] if error.kind == "token-required" else map(_as_typed, error.lines)
+            raise failed(UNAVAILABLE if there else BAD_INPUT, lines) from None
         except (RidelabClientError, UnavailableError) as error:
             raise failed(UNAVAILABLE, [str(error)]) from None
         except KeyboardInterrupt as interrupt:  # who has handed in a job, has said what becomes of it

@@ -17,6 +17,7 @@ from typing import IO, Any, NoReturn
 
 import typer
 
+from ridelab import __version__
 from ridelab.cli.in_process import InProcess
 from ridelab.cli.names import Names
 from ridelab.cli.options import Controllers, DataDir, Server
@@ -36,9 +37,10 @@ def server_command(*arguments: str, data_dir: Path | None = None) -> list[str]:
     core = core_folder()
     if core is None or not (core / "backend" / "__main__.py").is_file():  # another `backend` may be anybody's
         raise UnavailableError(
-            "Ridelab's server is not installed here: `pip install ridelab-server --find-links dist` installs it from a "
-            "folder of wheels, `make setup` in that of the sources; with --server or RIDELAB_SERVER most commands work "
-            "with a service elsewhere"
+            "Ridelab's server is not installed here: `pip install` takes the files of its wheels by their paths, "
+            f"ridelab_server-{__version__}-….whl and ridelab_core-{__version__}-….whl for this platform, `make setup` "
+            "installs it in the folder of the sources; with --server or RIDELAB_SERVER most commands work with a "
+            "service elsewhere"
         )
     where = str(data_dir or default_data_dir())
     return [sys.executable, "-P", "-m", "backend", *arguments, "--data-dir", where]
@@ -54,8 +56,8 @@ def check_core() -> None:
     """Refuse where the core is not installed."""
     if core_folder() is None:
         raise UnavailableError(
-            "Ridelab's core is not installed here: `pip install ridelab-core --find-links dist` installs it from a "
-            "folder of wheels, `pip install ./sim_core` from that of the sources"
+            "Ridelab's core is not installed here: `pip install` takes the file of its wheel by its path, "
+            f"ridelab_core-{__version__}-….whl for this platform, or ./sim_core in the folder of the sources"
         )
 
 

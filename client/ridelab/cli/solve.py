@@ -35,6 +35,7 @@ def solve(
     """
     if strategy is None:
         raise InputError(f"--strategy names the one that drives: {', '.join(services.names.strategies)}")
+    strategy = options.one_strategy(strategy)
     ((name, ends),) = fields.ranges_of([field], "--field", services.names.fields).items()
     if (limit is None) == (not require):
         raise InputError("Say what has to hold with --limit METRIC=MOST, or with --require")
