@@ -11,7 +11,7 @@ const ROAD = { id: "A".repeat(22), length: 180, bumps: [] };
 test.each([180, 60])(
   "a measured road without a bump has none, and ends where what was measured does: %d m",
   (length) => {
-    const road = { ...PAPER.road, profile: ROAD.id, length, bump: { ...PAPER.road.bump, height: 0 } };
+    const road = { ...PAPER.road, profile: ROAD.id, length, bump: { ...PAPER.road.bump, height: 0, start: length } };
     expect(onRoad(PAPER, { ...ROAD, length })).toEqual({ road });
   },
 );
@@ -33,5 +33,7 @@ it("A saved scenario takes the paper's value for a field that is newer, and lose
 it("A saved road is driven to its end; the rest of the scenario stays", () => {
   const edited = setAt(paper, "/mpc/lag", 5);
   const opened = withItem(edited, { kind: "road", value: { id: "r", length: 80, bumps: [] } }, FORM);
-  expect(opened).toEqual(setAt(setAt(setAt(edited, "/road/profile", "r"), "/road/length", 80), "/road/bump/height", 0));
+  const road = { profile: "r", length: 80, "bump/height": 0, "bump/start": 80 };
+  const changed = Object.entries(road).reduce((result, [name, value]) => setAt(result, `/road/${name}`, value), edited);
+  expect(opened).toEqual(changed);
 });

@@ -17,11 +17,15 @@ export function withItem(scenario: Scenario, { kind, value }: Content, form: Gro
   return completed(form, setAt(scenario, "/vehicle", value));
 }
 
-/** It ends where the road does; the largest bump found in it, if any, is the scenario's, and none is added. */
+/**
+ * It ends where the road does; the largest bump found in it, if any, is the scenario's, and none is added. Without one
+ * its place is beyond the road's end, so that no car brakes for it and no metric has a window there.
+ */
 export function onRoad(scenario: Scenario, road: Pick<CreatedRoad, "id" | "length" | "bumps">): Scenario {
   const driven = setAt(setAt(scenario, "/road/profile", road.id), "/road/length", road.length);
   const [bump] = road.bumps;
-  return bump === undefined ? setAt(driven, "/road/bump/height", 0) : onBump(driven, road.length, bump);
+  if (bump !== undefined) return onBump(driven, road.length, bump);
+  return setAt(setAt(driven, "/road/bump/height", 0), "/road/bump/start", road.length);
 }
 
 /** The bump that counts: the car brakes for it and the stages go by it, but none is added to the road. */
