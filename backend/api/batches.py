@@ -23,7 +23,7 @@ from backend.batches.summary_models import RobustnessDefaults
 from backend.errors import InvalidError
 from backend.file_formats import MEDIA_TYPES, FileFormat
 from backend.http import problems
-from backend.http.answers import IMMUTABLE, Download, cancel_on_disconnect, content_answer, json_answer
+from backend.http.answers import Download, cancel_on_disconnect, content_answer, json_answer
 from backend.http.routing import ComputingRoute
 from backend.http.tokens import Caller
 from sim_core.catalogue import METRICS, NUMBERS, PAPER_METRICS
@@ -101,7 +101,7 @@ async def get_batch_results(
 ) -> Response:
     """One row a run, in order, streamed; a batch that still runs has rows that wait."""
     batch, stream, counted = await service.results(job_id, file_format, client)
-    headers = {"Cache-Control": IMMUTABLE if batch.state == "done" else "no-store"}
+    headers = {"Cache-Control": "no-store"}
     if file_format != "json":
         headers["Content-Disposition"] = f'attachment; filename="ridelab-batch-{batch.id}.{file_format}"'
     return Download(stream, counted, headers=headers, media_type=MEDIA_TYPES[file_format])

@@ -1,15 +1,12 @@
 """Share links: make one, read what it opens."""
 
-import base64
-import hashlib
 from typing import Annotated
 
-import orjson
 from fastapi import Path, Request, Response
 
 from backend.api import router
 from backend.api.deps import Client, LinksService
-from backend.http.answers import is_cached, json_answer, tagged
+from backend.http.answers import json_answer, revalidated
 from backend.http.routing import ComputingRoute
 from backend.links import models as models_links
 
@@ -37,8 +34,4 @@ async def create_link(body: models_links.LinkRequest, service: LinksService, cli
 )
 async def get_link(slug: Slug, request: Request, service: LinksService, client: Client) -> Response:
     """What a link opens: results as they were computed, the scenario as today's schema has it, the view."""
-    content = orjson.dumps(await service.get(slug, client))
-    # Of the content: what is shared never changes, but the service's own version and a batch's progress do.
-    digest = hashlib.sha256(content).digest()[:16]
-    tag = f'W/"{base64.urlsafe_b64encode(digest).decode().rstrip("=")}"'  # weak: the body may be compressed
-    return tagged(tag, "no-cache", None if is_cached(request, tag) else content)
+    return revalidated(request, await service.get(slug, client))

@@ -8,7 +8,7 @@ from fastapi import Path, Query, Request, Response
 from backend.api import API, router
 from backend.api.deps import Client, service
 from backend.errors import InvalidError
-from backend.http.answers import IMMUTABLE
+from backend.http.answers import revalidated
 from backend.http.openapi import BYTES
 from backend.http.routing import ComputingRoute, FileRoute
 from backend.recordings.models import CreatedRecording, RecordingAnswer
@@ -47,9 +47,10 @@ async def create_recording(
     "/recordings/{id}",
     operation_id="getRecording",
     response_model=RecordingAnswer,
-    responses={200: {"content": {"text/csv": {}}}},
+    responses={200: {"content": {"text/csv": {}}}, 304: {"description": "Not changed"}},
 )
 async def get_recording(
+    request: Request,
     service: RecordingsService,
     client: Client,
     recording: Annotated[str, Path(alias="id", max_length=64, description="Of the recording")],
@@ -57,12 +58,12 @@ async def get_recording(
         Literal["json", "csv"], Query(alias="format", description="CSV has every sample and can be sent again")
     ] = "json",
 ) -> RecordingAnswer | Response:
-    """A recorded drive; it never changes."""
+    """A recorded drive; its samples never change."""
     if file_format == "json":
         return await service.get(recording, client)
     name = f"ridelab-recording-{recording}.csv"
-    headers = {"Content-Disposition": f'attachment; filename="{name}"', "Cache-Control": IMMUTABLE}
-    return Response(await service.csv(recording, client), headers=headers, media_type="text/csv")
+    headers = {"Content-Disposition": f'attachment; filename="{name}"'}
+    return revalidated(request, await service.csv(recording, client), headers, "text/csv")
 
 
 def _mapping(text: str | None) -> dict[str, str]:

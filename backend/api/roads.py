@@ -8,7 +8,7 @@ from fastapi import Path, Query, Request, Response
 from backend.api import API, router
 from backend.api.deps import Client, service
 from backend.errors import InvalidError
-from backend.http.answers import IMMUTABLE
+from backend.http.answers import revalidated
 from backend.http.openapi import BYTES
 from backend.http.routing import ComputingRoute, FileRoute
 from backend.models import MAX_POINTS
@@ -76,9 +76,10 @@ async def create_road(
     "/roads/{id}",
     operation_id="getRoad",
     response_model=RoadAnswer,
-    responses={200: {"content": {"text/csv": {}, OPENCRG: {}}}},
+    responses={200: {"content": {"text/csv": {}, OPENCRG: {}}}, 304: {"description": "Not changed"}},
 )
 async def get_road(
+    request: Request,
     service: RoadsService,
     client: Client,
     road_id: Annotated[str, Path(alias="id", max_length=64, description="Of the road")],
@@ -89,11 +90,11 @@ async def get_road(
     ] = "json",
     encoding: Annotated[Literal["binary", "text"], Query(description="Of OpenCRG: of its values")] = "binary",
 ) -> RoadAnswer | Response:
-    """A measured road; it never changes."""
+    """A measured road; its heights never change."""
     if file_format == "json":
         return await service.get(road_id, points, client)
     name, media_type = f"ridelab-road-{road_id}.{file_format}", "text/csv" if file_format == "csv" else OPENCRG
-    headers = {"Content-Disposition": f'attachment; filename="{name}"', "Cache-Control": IMMUTABLE}
+    headers = {"Content-Disposition": f'attachment; filename="{name}"'}
     writers = {"csv": export.as_csv, "crg": opencrg.as_text if encoding == "text" else opencrg.as_binary}
     content = await service.exported(road_id, client, writers[file_format])
-    return Response(content, headers=headers, media_type=media_type)
+    return revalidated(request, content, headers, media_type)

@@ -1,7 +1,7 @@
 """Runs: create, read, drag, search a limit, time histories, figures."""
 
 from collections.abc import Collection
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from fastapi import Path, Query, Request, Response
 from fastapi.responses import HTMLResponse
@@ -13,12 +13,10 @@ from backend.digest import RUN_ID_LENGTH
 from backend.errors import InvalidError
 from backend.file_formats import BINARY, MEDIA_TYPES, FileFormat
 from backend.http.answers import (
-    IMMUTABLE,
     cancel_on_disconnect,
     content_answer,
-    is_cached,
     json_answer,
-    tagged,
+    revalidated,
     takes_gzip,
 )
 from backend.http.routing import ComputingRoute, ScenarioRoute
@@ -57,7 +55,7 @@ Required = Annotated[
     str | None,
     Query(description="What it is held to: a list of requirements as of `POST /runs`, as JSON", max_length=6000),
 ]
-CACHED_FOR_AN_HOUR = {"Cache-Control": "public, max-age=3600"}
+NOT_CHANGED: dict[int | str, dict[str, Any]] = {304: {"description": "Not changed"}}
 
 
 @computing.post("/runs", operation_id="createRun", response_model=CreatedRun | CreatedRoadsRun)
@@ -112,7 +110,7 @@ async def fuzzy(body: FuzzyRequest, analysis: AnalysisService, client: Client) -
     "/runs/{id}",
     operation_id="getRun",
     response_model=Run | RoadsRun,
-    responses={304: {"description": "Not changed"}},
+    responses=NOT_CHANGED,
 )
 async def get_run(
     run_id: RunId,
@@ -134,10 +132,7 @@ async def get_run(
         Query(description="Ids with commas: which strategies `comparison` is of, beside its baseline; omitted is all"),
     ] = None,
 ) -> Response:
-    """A stored run; it changes only where its results were removed and another core version computes them again."""
-    tag = f'W/"{run_id}"'  # weak: the body may be compressed
-    if is_cached(request, tag) and await service.is_stored(run_id):
-        return tagged(tag, IMMUTABLE)
+    """A stored run; its numbers change only where results that are not stored are computed again."""
     work = service.get(
         run_id,
         client,
@@ -145,10 +140,10 @@ async def get_run(
         baseline=baseline,
         compared=_names("compare", compare),
     )
-    return tagged(tag, IMMUTABLE, await cancel_on_disconnect(request, work))
+    return revalidated(request, await cancel_on_disconnect(request, work))
 
 
-@runs.get("/runs/{id}/changes", operation_id="getChanges", response_model=PairedChanges)
+@runs.get("/runs/{id}/changes", operation_id="getChanges", response_model=PairedChanges, responses=NOT_CHANGED)
 async def get_changes(
     run_id: RunId,
     request: Request,
@@ -161,17 +156,18 @@ async def get_changes(
 ) -> Response:
     """Of a run over several roads: changes against another run, strategy by strategy, or a strategy; paired by road."""
     work = service.changes(run_id, client, against=against, baseline=baseline)
-    return json_answer(await cancel_on_disconnect(request, work), CACHED_FOR_AN_HOUR)
+    return revalidated(request, await cancel_on_disconnect(request, work))
 
 
 @drawing.get(
     "/runs/{id}/series",
     operation_id="getSeries",
     response_model=models.Series | models.SeriesOfSeveral,
-    responses={200: {"content": {"text/csv": {}, MEDIA_TYPES["parquet"]: {}}}},
+    responses={200: {"content": {"text/csv": {}, MEDIA_TYPES["parquet"]: {}}}, **NOT_CHANGED},
 )
 async def get_series(
     run_id: RunId,
+    request: Request,
     curves: CurvesService,
     client: Client,
     strategy: Annotated[str | None, Query(description="Ids with commas; may be omitted where the run has one")] = None,
@@ -194,15 +190,15 @@ async def get_series(
         file_format=file_format,
         encoding=encoding,
     )
-    headers = dict(CACHED_FOR_AN_HOUR)
+    headers = {}
     if file_format != "json":
         headers["Content-Disposition"] = (
             f'attachment; filename="{"-".join(["ridelab", run_id, *(names or [])])}.{file_format}"'
         )
-    return content_answer(content, headers, MEDIA_TYPES[file_format])
+    return revalidated(request, content, headers, MEDIA_TYPES[file_format])
 
 
-@drawing.get("/runs/{id}/instant", operation_id="getInstant", response_model=InstantAnswer)
+@drawing.get("/runs/{id}/instant", operation_id="getInstant", response_model=InstantAnswer, responses=NOT_CHANGED)
 async def get_instant(
     run_id: RunId,
     request: Request,
@@ -214,13 +210,13 @@ async def get_instant(
 ) -> Response:
     """What a controller saw and decided in the control step there, which limits shaped it, and at what price."""
     work = analysis.instant(run_id, strategy, position, time, client)
-    return json_answer(await cancel_on_disconnect(request, work), CACHED_FOR_AN_HOUR)
+    return revalidated(request, await cancel_on_disconnect(request, work))
 
 
-@drawing.get("/runs/{id}/differences", operation_id="getDifferences", response_model=Deviations)
+@drawing.get("/runs/{id}/differences", operation_id="getDifferences", response_model=Deviations, responses=NOT_CHANGED)
 async def get_differences(
     run_id: RunId,
-    response: Response,
+    request: Request,
     curves: CurvesService,
     client: Client,
     baseline: Annotated[
@@ -229,15 +225,15 @@ async def get_differences(
             description="Strategy or recording that they are against; omitted is passive, or the first", min_length=1
         ),
     ] = None,
-) -> Deviations:
+) -> Response:
     """How far every strategy's curves lie from one's at the same positions, signal by signal, on the first road."""
-    response.headers.update(CACHED_FOR_AN_HOUR)
-    return await curves.deviations(run_id, baseline, client)
+    return revalidated(request, await curves.deviations(run_id, baseline, client))
 
 
-@drawing.get("/runs/{id}/bands", operation_id="getBands", response_model=Bands)
+@drawing.get("/runs/{id}/bands", operation_id="getBands", response_model=Bands, responses=NOT_CHANGED)
 async def get_bands(
     run_id: RunId,
+    request: Request,
     curves: CurvesService,
     client: Client,
     strategy: Annotated[str | None, Query(description="Ids with commas; omitted is all of the run's")] = None,
@@ -254,7 +250,7 @@ async def get_bands(
         points=points,
         encoding=encoding,
     )
-    return content_answer(content, CACHED_FOR_AN_HOUR, MEDIA_TYPES["json"])
+    return revalidated(request, content)
 
 
 @drawing.get(

@@ -1,6 +1,8 @@
 """How routes answer: JSON, 304, or nothing because the client has gone."""
 
 import asyncio
+import base64
+import hashlib
 from collections.abc import AsyncIterator, Coroutine, Mapping
 from contextlib import ExitStack
 from typing import Any, TypeVar
@@ -16,7 +18,10 @@ from backend.http.spool import SpoolFile
 
 T = TypeVar("T")
 
+# Of files that are named by their content. Answers about what is stored are not: their shape is the release's.
 IMMUTABLE = "public, max-age=31536000, immutable"
+REVALIDATED = "public, no-cache"
+JSON = "application/json"
 
 
 def json_answer(content: Any, headers: dict[str, str] | None = None, *, status: int = 200) -> Response:
@@ -24,7 +29,7 @@ def json_answer(content: Any, headers: dict[str, str] | None = None, *, status: 
     if isinstance(content, BaseModel):
         content = content.model_dump(by_alias=True)
     body = content if isinstance(content, bytes) else orjson.dumps(content)
-    return Response(body, status, headers, media_type="application/json")
+    return Response(body, status, headers, media_type=JSON)
 
 
 class Download(StreamingResponse):
@@ -70,10 +75,35 @@ def is_cached(request: Request, tag: str) -> bool:
     return "*" in offered or tag.removeprefix("W/") in offered
 
 
-def tagged(tag: str, cache_control: str, content: Any = None) -> Response:
-    """JSON with that entity tag; 304 without content, where the client has it."""
-    headers = {"ETag": tag, "Cache-Control": cache_control}
-    return Response(status_code=304, headers=headers) if content is None else json_answer(content, headers)
+def revalidated(
+    request: Request,
+    content: Any,
+    headers: Mapping[str, str] | None = None,
+    media_type: str = JSON,
+) -> Response:
+    """Return an answer that its client may keep, and asks about before it is used: 304 where it has this content.
+
+    Its entity tag is a digest of the content, as another release may answer otherwise. An answer so long that it comes
+    from a file has none.
+
+    Args:
+        request: It may say what the client has.
+        content: Bytes as they are sent, a file, or what JSON is made of.
+        headers: Further ones.
+        media_type: Of bytes and files.
+    """
+    all_headers = {**(headers or {}), "Cache-Control": REVALIDATED}
+    if isinstance(content, SpoolFile):
+        return content_answer(content, all_headers, media_type)
+    if isinstance(content, BaseModel):
+        content = content.model_dump(by_alias=True)
+    body = content if isinstance(content, bytes) else orjson.dumps(content)
+    digest = hashlib.sha256(body).digest()[:16]
+    tag = f'W/"{base64.urlsafe_b64encode(digest).decode().rstrip("=")}"'  # weak: the body may be compressed
+    all_headers["ETag"] = tag
+    if is_cached(request, tag):
+        return Response(status_code=304, headers={name: all_headers[name] for name in ("ETag", "Cache-Control")})
+    return Response(body, headers=all_headers, media_type=media_type)
 
 
 async def cancel_on_disconnect(request: Request, work: Coroutine[Any, Any, T]) -> T:

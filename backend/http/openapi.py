@@ -41,7 +41,7 @@ HEADERS: dict[str, JsonObject] = {
     "Retry-After": {"description": "When to ask again [s]", "schema": {"type": "integer"}},
     "WWW-Authenticate": {"description": "`Bearer`", "required": True},
     "Location": {"description": "Where it is", "required": True},
-    "ETag": {"description": "For If-None-Match", "required": True},
+    "ETag": {"description": "For If-None-Match; a long file has none"},
     "Set-Cookie": {"description": "The page's cookie, HttpOnly and SameSite=Strict", "required": True},
     "Content-Disposition": {"description": "A file's name; not of JSON"},
 }

@@ -118,10 +118,6 @@ class Runs:
         cached = {name: all(item.cached for item in outcomes if item.strategy == name) for name in names}
         return saved.with_outcomes(_by_strategy(names, outcomes)), cached
 
-    async def is_stored(self, run_id: str) -> bool:
-        """Whether there is a run of this id, whatever has become of its results."""
-        return await self.store.read(self.store.runs.is_stored, run_id)
-
     async def get(
         self,
         run_id: str,

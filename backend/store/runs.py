@@ -91,7 +91,6 @@ class StoredRun:
 _STORED_NAMES = [column.name for column in runs.c if column.name not in ("created_at", "checksum")]
 # Made once: to make them takes as long as to run them.
 _HEAD = select(runs).where(runs.c.id == bindparam("run"))
-_STORED = select(runs.c.id).where(runs.c.id == bindparam("run"))
 _MEMBERS: Select[Any] = (
     select(*results.c, run_results.c.position)
     .join(run_results, run_results.c.result_key == results.c.key)
@@ -112,11 +111,6 @@ class RunStore(RowStore):
             with self._database.reading() as connection:
                 run, _ = _load_run(connection, run_id)
         return run
-
-    def is_stored(self, run_id: str) -> bool:
-        """Whether there is a run of that id."""
-        with self._database.reading() as connection:
-            return connection.execute(_STORED, {"run": run_id}).first() is not None
 
     def load_results(self, keys: Iterable[str]) -> dict[str, Outcome]:
         """The stored ones of these results, by key."""

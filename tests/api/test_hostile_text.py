@@ -133,7 +133,7 @@ def test_every_kind_of_answer_has_every_header(service: Any, run: dict[str, Any]
     json_body = {"Content-Type": "application/json"}
     answers = {
         200: [client.get(path) for path in ("/", "/r/x", "/docs", "/docs.js", "/openapi.json", "/metrics", *assets)],
-        304: [client.get(f"/api/v1/runs/{run['id']}", headers={"If-None-Match": f'W/"{run["id"]}"'})],
+        304: [client.get(f"/api/v1/runs/{run['id']}", headers={"If-None-Match": "*"})],
         404: [client.get(path) for path in ("/nowhere", "/assets/none.js", "/docs-assets/none.js", "/s/none")],
         405: [client.post("/healthz"), client.delete("/assets/x.js"), client.put("/docs")],
         400: [client.post("/api/v1/runs", content="{", headers=json_body)],

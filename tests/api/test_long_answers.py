@@ -62,7 +62,7 @@ def test_time_histories_are_the_same(
         short, long = both(client, monkeypatch, path, strategy=strategies, **query)
         assert short.status_code == long.status_code == 200
         assert short.content == long.content
-        changing = {"x-request-id", "date"}
+        changing = {"x-request-id", "date", "etag"}  # of a long answer nobody knows a digest before it is sent
         assert {key: short.headers[key] for key in short.headers if key not in changing} == {
             key: long.headers[key] for key in long.headers if key not in changing
         }

@@ -8,9 +8,10 @@ from typing import Any
 import pytest
 
 from backend.digest import run_id
+from backend.runs.answers import run_answer
 from backend.runs.models import CreatedRun, LiveRun, Run
 from backend.runs.result_finder import shared_work
-from backend.store.runs import RunStore
+from backend.runs.service import Runs
 from sim_core import Scenario, StrategyResult, __version__, simulate
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STATISTICS, WINDOWS
 from tests.api.conftest import Service
@@ -77,10 +78,9 @@ def test_the_same_request_again_is_stored(service: Any, run: dict[str, Any]) -> 
         assert computed(entry) == computed(run["strategies"][name])
 
 
-def test_get_is_the_same_run_without_cached_and_immutable(client: Any, run: dict[str, Any]) -> None:
+def test_get_is_the_same_run_without_cached(client: Any, run: dict[str, Any]) -> None:
     response = client.get(f"/api/v1/runs/{run['id']}")
     assert response.status_code == 200
-    assert "immutable" in response.headers["cache-control"]
     answer = response.json()
     assert "cached" not in answer["strategies"]["lv"]
     assert {key: value for key, value in answer.items() if key != "strategies"} == {
@@ -99,15 +99,21 @@ def test_get_is_the_same_run_without_cached_and_immutable(client: Any, run: dict
     assert client.get(f"/api/v1/runs/{run['id']}", headers={"If-None-Match": '"other"'}).status_code == 200
 
 
-def test_what_the_client_has_is_neither_read_nor_rendered(
+def test_what_a_client_has_is_asked_for_again_and_sent_only_where_a_release_answers_otherwise(
     service: Any, run: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    path, tag = f"/api/v1/runs/{run['id']}", f'W/"{run["id"]}"'
-    monkeypatch.delattr(RunStore, "load")
-    assert service.get(path, headers={"If-None-Match": tag}).status_code == 304
-    monkeypatch.undo()
-    unknown = f'W/"{"A" * 22}"'
-    assert service.get(f"/api/v1/runs/{'A' * 22}", headers={"If-None-Match": unknown}).status_code == 404
+    run_path = f"/api/v1/runs/{run['id']}"
+    below = ("/series?strategy=lv&points=50", "/instant?strategy=lv&time=0.5", "/differences")
+    for path in (run_path, f"{run_path}?baseline=lv", *(run_path + each for each in below)):
+        answer = service.get(path)
+        assert (answer.status_code, answer.headers["cache-control"]) == (200, "public, no-cache"), path
+        tag = answer.headers["etag"]
+        assert service.get(path, headers={"If-None-Match": tag}).status_code == 304, path
+    tag = service.get(run_path).headers["etag"]
+    monkeypatch.setattr(f"{Runs.__module__}.run_answer", lambda *args, **more: {**run_answer(*args, **more), "new": 1})
+    assert service.get(run_path, headers={"If-None-Match": tag}).json()["new"] == 1
+    unknown = f"/api/v1/runs/{'A' * 22}"
+    assert service.get(unknown, headers={"If-None-Match": "*"}).status_code == 404
 
 
 def assert_same_in_binary(strategies: dict[str, Any], response: Any) -> None:
