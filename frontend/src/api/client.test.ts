@@ -4,6 +4,7 @@ import type { RoadsAnswer, RunAnswer } from "./types";
 
 const interval = (mean: number) => ({ mean, low: mean - 1, high: mean + 1 });
 const drive = {
+  core_version: null,
   compute_ms: 1,
   events: {},
   reference: {},

@@ -22,7 +22,7 @@ const part = (title: string, properties: JsonObject): JsonObject => ({ type: "ob
 const form = readSchema(
   part("Scenario", {
     road: part("Road", { height: number("Height", 1), shape: choice("Shape", "round", "flat") }),
-    state: part("Estimation", { kind: choice("State", "exact", "kalman"), noise: number("Noise") }),
+    state: part("State estimation", { kind: choice("State", "exact", "kalman"), noise: number("Noise") }),
     mpc: part("MPC", { preview: choice("Preview", "lookahead", "none"), weight: number("Weight") }),
     own: part("Own", { mine: part("Mine", { preview: choice("Mine: preview", "none", "lookahead") }) }),
     ecu: part("ECU", { bits: number("Bits"), delay: number("Delay") }),
@@ -58,11 +58,14 @@ it("a field that other values leave without effect says which, as they change", 
   expect(say("/state/noise", ["lv", "passive"])).toBe("Used only with State: Kalman");
   expect(say("/state/noise", ["lv"], { state: { kind: "kalman" } })).toBeNull();
   expect(say("/state/noise", ["passive"], { state: { kind: "kalman" } })).toBe("No shown strategy uses this. LV does.");
-  expect(say("/state/noise", ["passive"])).toBe("No shown strategy uses this.");
+  expect(say("/state/noise", ["passive"])).toBe("No shown strategy uses this. LV does.");
+  const rough = { fields: ["road.shape"], conditions: [is("state.kind", "kalman")] };
+  const either: Reading = { ...PASSIVE, reads_when: [rough, shape] };
+  expect(say("/road/shape", ["passive"], { road: { height: 0 } }, [either])).toBe("Without effect with Height: 0");
   expect(say("/road/shape", ["passive"], { road: { height: 0 } })).toBe("Without effect with Height: 0");
   const ours = [LV, PASSIVE];
   expect(say("/ecu/delay", ["lv"], { mpc: { preview: "none" } }, ours)).toBe(
-    "Used only with Estimation state: Kalman and MPC preview: Lookahead",
+    "Used only with State estimation: Kalman and MPC preview: Lookahead",
   );
   expect(say("/ecu/delay", ["lv"], { state: { kind: "kalman" }, mpc: { preview: "none" } }, ours)).toBe(
     "Used only with MPC preview: Lookahead",

@@ -66,20 +66,23 @@ export function unusedText(
 ): string | null {
   const shown = strategies.filter(({ id }) => on.includes(id));
   if (shown.length === 0 || shown.some((strategy) => isUsed(strategy, pointer, edited))) return null;
-  const others = strategies.filter((strategy) => isUsed(strategy, pointer, edited)).map(({ label }) => label);
-  const nobody = `No shown strategy uses ${what}.`;
-  if (others.length > 0) return `${nobody} ${listed(others)} ${others.length === 1 ? "does" : "do"}.`;
-  const need = missing(shown, pointer, edited);
+  const others = strategies.filter((strategy) => isUsed(strategy, pointer, edited));
+  const need = others.length > 0 ? null : missing(shown, pointer, edited);
   if (need !== null) return saidOf(need, pointer, edited.form);
-  return strategies.some((strategy) => needsOf(strategy, pointer).length > 0) ? nobody : null;
+  // Where other values have to change too, those that then would.
+  const users = others.length > 0 ? others : strategies.filter((each) => needsOf(each, pointer).length > 0);
+  if (users.length === 0) return null;
+  return `No shown strategy uses ${what}. ${listed(users.map(({ label }) => label))} ${users.length === 1 ? "does" : "do"}.`;
 }
 
-/** The fewest conditions that fail. */
+/** The fewest conditions that fail, rather on fields beside this one. */
 function missing(strategies: readonly Reading[], pointer: Pointer, edited: Edited): Need | null {
   const failing = strategies
     .flatMap((strategy) => needsOf(strategy, pointer))
     .map((need) => need.filter((condition) => !holds(condition, edited)));
-  return failing.length === 0 ? null : failing.reduce((one, other) => (other.length < one.length ? other : one));
+  const isElsewhere = (condition: Condition) => parent(pointerOf(condition.field)) !== parent(pointer);
+  const size = (need: Need) => need.length + need.filter(isElsewhere).length / (need.length + 1);
+  return failing.length === 0 ? null : failing.reduce((one, other) => (size(other) < size(one) ? other : one));
 }
 
 const MOST_NAMED = 3;
@@ -102,10 +105,12 @@ function conditionText({ field, values }: Condition, pointer: Pointer, form: Gro
   const named = namedLeaves(form).find(({ leaf }) => leaf.pointer === place);
   if (!named) return `${field}: ${values.join(" or ")}`;
   const isBeside = parent(place) === parent(pointer);
-  return `${isBeside ? named.leaf.title : named.name}: ${OR.format(values.map((value) => valueIn(named.leaf, value)))}`;
+  const part = findMember(form, parent(place))?.title ?? "";
+  const isSaidByPart = part.toLowerCase().includes(named.leaf.title.toLowerCase());
+  return `${isBeside ? named.leaf.title : isSaidByPart ? part : named.name}: ${OR.format(values.map((value) => valueIn(named.leaf, value)))}`;
 }
 
-const parent = (pointer: Pointer) => pointer.slice(0, pointer.lastIndexOf("/"));
+const parent = (pointer: Pointer) => pointer.slice(0, pointer.lastIndexOf("/")) as Pointer;
 
 function valueIn(leaf: Leaf, value: JsonValue): string {
   if (value === null) return "none";
