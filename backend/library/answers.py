@@ -20,9 +20,9 @@ from backend.library.models import (
     VehicleAnswer,
 )
 from backend.runs import figures
-from backend.vehicle_facts import vehicle_facts
 from sim_core import catalogue as core
 from sim_core.comparison.variation import one_road_resolution
+from sim_core.comparison.vehicle_facts import vehicle_facts
 from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
 from sim_core.scenario.data_sheet import DataSheet
 from sim_core.scenario.presets import PRESETS

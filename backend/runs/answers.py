@@ -5,7 +5,7 @@ Over 50 roads they take 0.2 s: they are made in threads, beside the event loop.
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from math import isfinite
 
 import orjson
@@ -17,13 +17,13 @@ from backend.outcome import Outcome
 from backend.requirements import Driven, Requirement, judge
 from backend.runs import series
 from backend.store import StoredRun
-from backend.vehicle_facts import vehicle_facts
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import PAPER_METRICS
 from sim_core.comparison.caution import Caution
 from sim_core.comparison.compare import Comparison, compare_summaries, default_baseline
 from sim_core.comparison.intervals import Interval
-from sim_core.scenario import Scenario, Vehicle
+from sim_core.scenario import Scenario, characteristics
+from sim_core.strategies import label_of
 
 
 def run_answer(
@@ -51,15 +51,15 @@ def run_answer(
     for name, (first, *_) in stored.by_strategy.items():
         if first.core_version not in (None, stored.core_version):
             fields[name]["core_version"] = first.core_version
+    scenario = Scenario.model_validate(stored.scenario)
     head: JsonObject = {
         "id": stored.id,
         "core_version": stored.core_version,
         "scenario": stored.scenario,
-        **vehicle_facts(Vehicle.model_validate(stored.scenario["vehicle"])),
+        **_facts(scenario, _comparison(stored, scenario, judged_against or baseline, compared)),
     }
     if requirements:
         head["requirement_results"] = _judged(stored, requirements, judged_against or baseline)
-    head["comparison"] = _comparison(stored, judged_against or baseline, compared)
     if stored.roads == 1:
         return head | {"strategies": {item.strategy: item.answer(**fields[item.strategy]) for item in stored.results}}
     baseline = baseline or stored.baseline or ""
@@ -75,7 +75,18 @@ def run_answer(
     }
 
 
-def _comparison(stored: StoredRun, baseline: str | None, compared: Collection[str] | None) -> Comparison:
+def _facts(scenario: Scenario, comparison: Comparison) -> JsonObject:
+    """Return what an answer says of its scenario and of its results; its cautions are those of the comparison."""
+    return {
+        "characteristics": asdict(characteristics(scenario.vehicle)),
+        "cautions": comparison.cautions,
+        "comparison": comparison,
+    }
+
+
+def _comparison(
+    stored: StoredRun, scenario: Scenario, baseline: str | None, compared: Collection[str] | None
+) -> Comparison:
     """Return what the strategies that succeeded on every road mean beside each other."""
     names = list(stored.by_strategy)
     against = baseline or stored.baseline or default_baseline(names)
@@ -84,15 +95,18 @@ def _comparison(stored: StoredRun, baseline: str | None, compared: Collection[st
         for item in stored.shown
         if compared is None or item.strategy == against or item.strategy in compared
     }
-    comparison = compare_summaries(summaries, against, Scenario.model_validate(stored.scenario))
+    comparison = compare_summaries(summaries, against, scenario)
     return replace(comparison, cautions=(*comparison.cautions, *_other_versions(stored, summaries)))
 
 
 def _other_versions(stored: StoredRun, names: Iterable[str]) -> Iterator[Caution]:
-    """Say which strategies another core version has computed than the others: they had failed with that one."""
+    """Return a caution for each strategy that another core version has computed: it had failed with the run's."""
     for item in stored.first_road:
         if item.strategy in names and item.core_version not in (None, stored.core_version):
-            text = f"Core {item.core_version} computed {item.strategy}, and core {stored.core_version} the others."
+            text = (
+                f"{label_of(item.strategy)} was computed by core {item.core_version}, the other strategies by core "
+                f"{stored.core_version}: part of a difference may come from that."
+            )
             yield Caution(kind="core_version", text=text, strategy=item.strategy)
 
 
@@ -163,16 +177,16 @@ def _live(
         return outcome.answer(cached=outcome.cached, **({} if values is None else {"series": described(values)}))
 
     strategies = {name: entry(outcome) for name, outcome in outcomes.items()}
+    comparison = compare_summaries(
+        {name: [outcome.summary] for name, outcome in outcomes.items() if outcome.status == "ok"},
+        baseline or default_baseline(list(outcomes)),
+        scenario,
+        metrics=PAPER_METRICS,
+    )
     head = {
         "core_version": CORE_VERSION,
         "scenario": scenario.model_dump(mode="json"),
-        **vehicle_facts(scenario.vehicle),
-        "comparison": compare_summaries(
-            {name: [outcome.summary] for name, outcome in outcomes.items() if outcome.status == "ok"},
-            baseline or default_baseline(list(outcomes)),
-            scenario,
-            metrics=PAPER_METRICS,
-        ),
+        **_facts(scenario, comparison),
     }
     return orjson.dumps(head | {"strategies": strategies})
 

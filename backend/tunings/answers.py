@@ -12,7 +12,7 @@ from backend.store import StoredJob
 from backend.store.job import State
 from backend.store.trials import StoredTrial
 from backend.tunings import front
-from backend.tunings.comparison_models import Comparison, TunedValue
+from backend.tunings.comparison_models import TunedValue, TuningComparison
 from backend.tunings.measure import Aims
 from backend.tunings.space import has_own_weights
 
@@ -156,7 +156,7 @@ class Tuning(TuningItem):
     knee: Trial | None = Field(description="Of several objectives: the point of the front nearest to its ideal corner")
     front: list[Trial] = Field(description="Feasible trials that no other one betters, by the first objective")
     history: list[Generation]
-    comparison: Comparison | None
+    comparison: TuningComparison | None
 
     @classmethod
     def whole(cls, job: StoredJob, trials: Sequence[StoredTrial], history: Sequence[JsonObject]) -> Self:

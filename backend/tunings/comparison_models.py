@@ -51,7 +51,7 @@ class ComparedPoint(Answer):
     failures: list[str] = Field(description="Roads it could not be run on; the figures leave them out")
 
 
-class Comparison(Answer):
+class TuningComparison(Answer):
     """The paper's weights and the tuned ones over the training roads and over fresh ones."""
 
     batch: str = Field(description="The batch whose rows give these figures")

@@ -28,7 +28,7 @@ from backend.store import Store, StoredJob
 from backend.store.jobs import ParentEndedError
 from backend.store.trials import StoredTrial
 from backend.tunings import comparison, front
-from backend.tunings.comparison_models import Comparison
+from backend.tunings.comparison_models import TuningComparison
 from backend.tunings.measure import Aims, Failure, Measured, RunsByRoad
 from backend.tunings.objectives import UndefinedObjectiveError
 from backend.tunings.space import (
@@ -187,7 +187,7 @@ class TuningSteps:
             event="state",
             state="done",
             progress=_waiting_for(job, "comparison", sweep),
-            answer=Comparison(batch=sweep.id, figures=comparison.columns(aims), points=points).model_dump(),
+            answer=TuningComparison(batch=sweep.id, figures=comparison.columns(aims), points=points).model_dump(),
         )
 
     async def _measured(

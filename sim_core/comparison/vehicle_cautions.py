@@ -8,8 +8,8 @@ from sim_core.scenario.vehicle import Vehicle
 
 LARGEST_SAG = 0.2  # [m]
 BODY_FREQUENCIES = 0.5, 3.0  # [Hz]
-AS_PRINTED = "_as_printed"
-"""The end of a caution's kind where the values that lead to it are those of the paper's Table 2."""
+PAPER_SAG = "paper_sag"
+"""The kind of a sag that the values of the paper's Table 2 lead to: it says nothing about what a user has entered."""
 
 _AXLES = "front", "rear"
 _ONE_TRACK = "Masses, springs and dampers are of one track, half of the car: "
@@ -27,7 +27,7 @@ def vehicle_cautions(vehicle: Vehicle) -> tuple[Caution, ...]:
 
     Returns:
         At most one of each kind, `sag` and `body_frequency`, at the field to look at: the body mass where both axles
-        have it, else the axle's spring. A kind ends in `_as_printed` where all that decides is the paper's.
+        have it, else the axle's spring. The kind of a sag is `paper_sag` where all that decides is the paper's.
 
     Example:
         >>> from sim_core import Scenario
@@ -58,11 +58,10 @@ def _listed(by_axle: Mapping[str, str]) -> str:
 
 
 def _caution(kind: str, text: str, question: str, axles: Sequence[str], vehicle: Vehicle) -> Caution:
-    of_axles = [f"{axle}_{name}" for axle in axles for name in ("spring", "tyre_stiffness")]
-    deciding = ("body_mass", "cg_to_front", "cg_to_rear", *of_axles)
-    is_printed = all(getattr(vehicle, name) == getattr(_PAPERS, name) for name in deciding)
+    deciding = ("body_mass", "cg_to_front", "cg_to_rear", *(f"{axle}_spring" for axle in axles))
+    is_printed = kind == "sag" and all(getattr(vehicle, name) == getattr(_PAPERS, name) for name in deciding)
     return Caution(
-        kind=f"{kind}{AS_PRINTED}" if is_printed else kind,
+        kind=PAPER_SAG if is_printed else kind,
         text=f"{text} {_PRINTED if is_printed else question}",
         field="vehicle.body_mass" if len(axles) == len(_AXLES) else f"vehicle.{axles[0]}_spring",
     )

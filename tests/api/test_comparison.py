@@ -5,8 +5,12 @@ from dataclasses import asdict
 from typing import Any
 
 import httpx
+import orjson
 import pytest
 
+from backend.outcome import Outcome
+from backend.runs.answers import as_plain, run_answer
+from backend.store import StoredRun
 from sim_core import Comparison, Scenario, compare, simulate
 from sim_core.catalogue import PAPER_METRICS
 from tests.api.conftest import Service
@@ -89,6 +93,29 @@ def test_a_baseline_that_failed_stays_the_baseline(service: Service, lqr_fails: 
     assert set(comparison["verdict"]["best"].values()) == {"lv"}
     alone = service.run(["lqr"], {"road": {"length": 131.6, "seed": lqr_fails}}).json()["comparison"]
     assert alone["verdict"] == {"text": "There is no result to compare.", "best": {}, "mixed": False}
+
+
+def test_a_strategy_of_another_core_is_cautioned_beside_the_vehicle(run: dict[str, Any]) -> None:
+    """Where every reader looks: in the comparison and in the answer's own cautions."""
+    outcomes = [
+        Outcome(key=name, strategy=name, status="ok", json=orjson.dumps(each), compute_ms=1.0, core_version=version)
+        for (name, each), version in zip(run["strategies"].items(), ("0.4.0", "0.5.0", "0.4.0"), strict=True)
+    ]
+    stored = StoredRun(
+        id="r", core_version="0.4.0", schema_version=1, scenario=run["scenario"], results=tuple(outcomes)
+    )
+    answer = as_plain(run_answer(stored))
+    assert answer["cautions"] == answer["comparison"]["cautions"]
+    assert [each["kind"] for each in answer["cautions"]] == ["paper_sag", "core_version"]
+    assert answer["cautions"][1] | {"kind": "", "field": None} == {
+        "kind": "",
+        "text": "LQR was computed by core 0.5.0, the other strategies by core 0.4.0: part of a difference may come "
+        "from that.",
+        "field": None,
+        "strategy": "lqr",
+    }
+    without = as_plain(run_answer(stored, compared=["lv"]))
+    assert [each["kind"] for each in without["cautions"]] == ["paper_sag"]
 
 
 @pytest.mark.parametrize(

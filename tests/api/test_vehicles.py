@@ -39,6 +39,6 @@ def test_a_car_that_is_hardly_one_is_cautioned_in_every_answer(client: httpx.Cli
     assert [each["field"] for each in created["cautions"]] == ["vehicle.body_mass"]
     assert "568 mm at the front axle" in created["cautions"][0]["text"]
     assert created["cautions"] == live["cautions"] == again["cautions"]
-    assert [(each["kind"], each["field"]) for each in run["cautions"]] == [("sag_as_printed", "vehicle.front_spring")]
+    assert [(each["kind"], each["field"]) for each in run["cautions"]] == [("paper_sag", "vehicle.front_spring")]
     flat = client.post("/api/v1/vehicles/from-data-sheet", json={**SHEET, "front_frequency": 0.4}).json()
     assert [each["kind"] for each in flat["cautions"]] == ["sag", "body_frequency"]

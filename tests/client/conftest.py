@@ -5,6 +5,7 @@ That documented commands and cells work with a real service is shown in tests/ma
 
 import json
 from collections.abc import Callable, Iterator
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -14,11 +15,12 @@ from fastapi import FastAPI
 
 from backend.app import create_app
 from backend.settings import Settings
-from backend.vehicle_facts import vehicle_facts
 from ridelab import Ridelab
 from ridelab.cli.service import Services
 from sim_core import Scenario, simulate
 from sim_core import __version__ as CORE_VERSION
+from sim_core.comparison.compare import compare_summaries, default_baseline
+from sim_core.comparison.vehicle_facts import vehicle_facts
 from tests.client.cli import Cli
 from tests.servers import loops
 
@@ -101,7 +103,9 @@ def prepared(application: FastAPI, outcomes: dict[str, dict[str, Any]]) -> Prepa
         sent = Scenario.model_validate(body.get("scenario", {}))
         asked = [name for name in outcomes if name in body["strategies"]]
         strategies = {name: outcomes[name] for name in asked}
-        scenario = {"scenario": sent.model_dump(mode="json"), **vehicle_facts(sent.vehicle)}
+        comparison = compare_summaries({name: [strategies[name]] for name in asked}, default_baseline(asked), sent)
+        facts = {**vehicle_facts(sent.vehicle), "comparison": json.loads(json.dumps(asdict(comparison)))}
+        scenario = {"scenario": sent.model_dump(mode="json"), **facts}
         return {"id": RUN, "core_version": CORE_VERSION, **scenario, "strategies": strategies}
 
     prepared.answers["POST /runs"] = run

@@ -2,6 +2,7 @@
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -38,6 +39,19 @@ def test_a_car_that_is_hardly_one_is_cautioned(cli: Cli, tmp_path: Path, mass: f
     assert all(f"Caution: {text}\n" in cli("vehicle", file) for text in said)
     run = cli("run", "--set", f"vehicle={file}", "-s", "passive")
     assert all((f"Caution: {text}\n" in run) == (mass == 2400) for text in said)
+
+
+def test_a_run_says_what_its_comparison_cautions(cli: Cli, prepared: Prepared) -> None:
+    run: Any = prepared.answers["POST /runs"]
+
+    def cautioned(body: Any) -> dict[str, Any]:
+        answer: dict[str, Any] = run(body)
+        caution = {"kind": "core_version", "text": "Another core computed it.", "field": None, "strategy": "lv"}
+        answer["comparison"]["cautions"].append(caution)
+        return answer
+
+    prepared.answers["POST /runs"] = cautioned
+    assert "Caution: Another core computed it.\n" in cli("run", "-s", "lv,passive")
 
 
 @pytest.mark.parametrize(

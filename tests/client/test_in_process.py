@@ -46,6 +46,8 @@ def test_a_run_is_computed_and_nothing_is_left_behind(alone: Cli, tmp_path: Path
     assert (run["id"], list(run["strategies"])) == (None, ["lv", "passive"])
     peak = run["strategies"]["lv"]["metrics"]["bump"]["body_acceleration"]["peak"]
     assert peak == simulate(Scenario.model_validate(run["scenario"]), "lv").metrics["bump"]["body_acceleration"]["peak"]
+    assert run["cautions"] == run["comparison"]["cautions"]
+    assert run["comparison"]["verdict"]["text"].startswith("No clear winner: LV control has")
     assert list(tmp_path.iterdir()) == []
 
 

@@ -156,8 +156,10 @@ def test_a_failure_that_was_the_machines_is_computed_again(opened: Opened) -> No
         assert (then["strategies"]["theirs"]["status"], now["strategies"]["theirs"]["status"]) == ("failed", "ok")
         assert now["strategies"]["theirs"].get("core_version", now["core_version"]) == __version__
         assert now["core_version"] == then["core_version"]
-        cautions = [each["strategy"] for each in now["comparison"]["cautions"] if each["kind"] == "core_version"]
-        assert cautions == ["theirs"]
+        (caution,) = [each for each in now["comparison"]["cautions"] if each["kind"] == "core_version"]
+        assert caution["strategy"] == "theirs"
+        assert f"was computed by core {__version__}, the other strategies by core " in caution["text"]
+        assert caution in now["cautions"]
         assert not differences(then["strategies"]["passive"], now["strategies"]["passive"])
         assert now["strategies"]["theirs"]["source"]["file"] == "theirs.fmu"
         assert opened.client.get(f"/api/v1/runs/{then['id']}").json()["strategies"] == now["strategies"]

@@ -45,10 +45,10 @@ def test_the_papers_own_sag_is_told_from_ones_own() -> None:
     """Whatever else is changed: what decides is the body, its springs and its centre of gravity."""
     for vehicle in (Vehicle(), Vehicle(front_damping=3000, rear_spring=31_000)):
         (caution,) = vehicle_cautions(vehicle)
-        assert (caution.kind, caution.field) == ("sag_as_printed", "vehicle.front_spring")
+        assert (caution.kind, caution.field) == ("paper_sag", "vehicle.front_spring")
         assert caution.text.endswith("These are the paper's own values (Table 2).")
 
 
 def test_no_vehicle_with_sources_and_no_preset_is_cautioned() -> None:
     vehicles = [*(each.vehicle for each in VEHICLES.values()), *(each.scenario.vehicle for each in PRESETS.values())]
-    assert {each.kind for vehicle in vehicles for each in vehicle_cautions(vehicle)} == {"sag_as_printed"}
+    assert {each.kind for vehicle in vehicles for each in vehicle_cautions(vehicle)} == {"paper_sag"}

@@ -62,8 +62,10 @@ class InProcess(Ridelab):
 
 def _schema() -> Any:
     from sim_core.scenario import SCHEMA_VERSION, Scenario
+    from sim_core.scenario.data_sheet import DataSheet
 
-    return {**Scenario.model_json_schema(), "schema_version": SCHEMA_VERSION}
+    beside = {"schema_version": SCHEMA_VERSION, "data_sheet": DataSheet.model_json_schema()}
+    return {**Scenario.model_json_schema(), **beside}
 
 
 def _catalogue() -> Any:
@@ -96,6 +98,7 @@ def _presets() -> Any:
 
 
 def _vehicles() -> Any:
+    from sim_core.comparison.vehicle_facts import vehicle_facts
     from sim_core.scenario.vehicles import VEHICLES
 
     names = ("id", "label", "description", "sources", "derived")
@@ -103,19 +106,10 @@ def _vehicles() -> Any:
         {
             **{name: getattr(each, name) for name in names},
             "vehicle": each.vehicle.model_dump(mode="json"),
-            **_facts(each.vehicle),
+            **vehicle_facts(each.vehicle),
         }
         for each in VEHICLES.values()
     ]
-
-
-def _facts(vehicle: Any) -> dict[str, Any]:
-    """What every answer about a vehicle says of it."""
-    from sim_core.comparison.vehicle_cautions import vehicle_cautions
-    from sim_core.scenario import characteristics
-
-    cautions = [asdict(each) for each in vehicle_cautions(vehicle)]
-    return {"characteristics": asdict(characteristics(vehicle)), "cautions": cautions}
 
 
 _NAMES: Mapping[str, Callable[[], Any]] = {
@@ -141,28 +135,30 @@ def _run(body: Mapping[str, Any], refusal: list[str]) -> dict[str, Any] | None:
     """A run's answer without an id; None, and why, where the core refuses anything of it."""
     from pydantic import ValidationError
 
-    from sim_core import STRATEGIES, RidelabError, Scenario, __version__, simulate
+    from sim_core import STRATEGIES, RidelabError, Scenario, __version__, characteristics, compare, simulate
 
-    answers = {}
+    answers, results = {}, {}
     try:
         scenario = Scenario.model_validate_json(json.dumps(body["scenario"], default=plain))
         ours = [name for name in STRATEGIES if name in body["strategies"]]
         for name in ours + [name for name in body["strategies"] if name not in ours]:
             begin = time.perf_counter()
-            summary = simulate(scenario, name).summary()
+            results[name] = simulate(scenario, name)
+            summary = results[name].summary()
             milliseconds = round(1000 * (time.perf_counter() - begin), 2)
             answers[name] = {"status": "ok", "compute_ms": milliseconds, "cached": False, "source": None, **summary}
+        comparison = asdict(compare(results, body.get("baseline")))
     except ValidationError as error:
         refusal += [f"{'.'.join(map(str, each['loc']))}: {_said(each)}" for each in error.errors()]
         return None
     except RidelabError as error:
         refusal.append(error.message)
         return None
-    plain_answers: dict[str, Any] = json.loads(json.dumps(answers, default=plain))
-    return {
-        "id": None,
-        "core_version": __version__,
-        "scenario": scenario.model_dump(mode="json"),
-        **_facts(scenario.vehicle),
-        "strategies": plain_answers,
+    facts = {
+        "characteristics": asdict(characteristics(scenario.vehicle)),
+        "cautions": comparison["cautions"],
+        "comparison": comparison,
+        "strategies": answers,
     }
+    plain_facts: dict[str, Any] = json.loads(json.dumps(facts, default=plain))
+    return {"id": None, "core_version": __version__, "scenario": scenario.model_dump(mode="json"), **plain_facts}

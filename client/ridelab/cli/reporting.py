@@ -201,15 +201,18 @@ _IN_NAME = re.compile(r"([._])(?=[a-z])")
 _FIGURE = re.compile(r"|-|none| *[-+(]?[\d.].*|- : .*|\(misprint .*|[-+]?inf", re.DOTALL)
 
 
+_PAPERS = "paper_sag"  # the kind of caution that the paper's own values lead to
+
+
 def show_cautions(answer: Mapping[str, Any], *, with_the_papers: bool = True) -> None:
-    """Print what an answer about a scenario or a vehicle says to beware of, a line each.
+    """Print the cautions of an answer about a vehicle or a road, or of a run's comparison, a line each.
 
     Args:
-        answer: The answer; one of an older service has none.
+        answer: The answer or the comparison; an older service gives no cautions.
         with_the_papers: Whether those are printed too that the paper's own values lead to.
     """
     for caution in answer.get("cautions", ()):
-        if with_the_papers or not caution["kind"].endswith("_as_printed"):
+        if with_the_papers or caution["kind"] != _PAPERS:
             typer.echo(f"Caution: {caution['text']}")
 
 

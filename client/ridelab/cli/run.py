@@ -92,7 +92,7 @@ def _show(run: RunResult, name: str, baseline: str | None, names: Names) -> None
     for outcome in run:
         for caveat in _caveats(outcome):
             typer.echo(f"{names.label(outcome.strategy)}  {caveat}")
-    show_cautions(run.answer, with_the_papers=False)
+    show_cautions(run.answer.get("comparison", {}), with_the_papers=False)
 
 
 def _caveats(outcome: Outcome) -> list[str]:

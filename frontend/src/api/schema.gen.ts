@@ -540,11 +540,6 @@ export interface components {
                 readonly [key: string]: number | string | readonly number[];
             };
         };
-        readonly Comparison: {
-            readonly batch: string;
-            readonly figures: readonly components["schemas"]["ComparedFigure"][];
-            readonly points: readonly components["schemas"]["ComparedPoint"][];
-        };
         readonly ComparisonAnswer: {
             readonly baseline: string;
             readonly cautions: readonly components["schemas"]["CautionAnswer"][];
@@ -1653,7 +1648,7 @@ export interface components {
         readonly Tuning: {
             readonly batch: string | null;
             readonly best: readonly (components["schemas"]["Trial"] | null)[];
-            readonly comparison: components["schemas"]["Comparison"] | null;
+            readonly comparison: components["schemas"]["TuningComparison"] | null;
             readonly core_version: string;
             readonly created_at: string;
             readonly estimated_cost: number;
@@ -1689,6 +1684,11 @@ export interface components {
             readonly strategy: string;
             readonly trials: components["schemas"]["TrialCounts"];
             readonly uncertain: boolean;
+        };
+        readonly TuningComparison: {
+            readonly batch: string;
+            readonly figures: readonly components["schemas"]["ComparedFigure"][];
+            readonly points: readonly components["schemas"]["ComparedPoint"][];
         };
         readonly TuningEstimate: {
             readonly estimated_cost: number;
@@ -1832,7 +1832,6 @@ export type CombinationRow = components['schemas']['CombinationRow'];
 export type Comfort = components['schemas']['Comfort'];
 export type ComparedFigure = components['schemas']['ComparedFigure'];
 export type ComparedPoint = components['schemas']['ComparedPoint'];
-export type Comparison = components['schemas']['Comparison'];
 export type ComparisonAnswer = components['schemas']['ComparisonAnswer'];
 export type Compilers = components['schemas']['Compilers'];
 export type Condition = components['schemas']['Condition'];
@@ -1961,6 +1960,7 @@ export type TriedValue = components['schemas']['TriedValue'];
 export type TunedChange = components['schemas']['TunedChange'];
 export type TunedFigures = components['schemas']['TunedFigures'];
 export type Tuning = components['schemas']['Tuning'];
+export type TuningComparison = components['schemas']['TuningComparison'];
 export type TuningEstimate = components['schemas']['TuningEstimate'];
 export type TuningItem = components['schemas']['TuningItem'];
 export type TuningRequest = components['schemas']['TuningRequest'];

@@ -3,7 +3,6 @@
 import type { Series } from "./decode";
 import type { JsonObject, JsonValue } from "./json";
 import type {
-  CautionAnswer as Caution,
   CharacteristicsAnswer as Characteristics,
   ComparisonAnswer as Comparison,
   CreatedRoadsRun,
@@ -26,7 +25,7 @@ export type {
   CautionAnswer as Caution,
   CharacteristicsAnswer as Characteristics,
   CombinationRow as Combination,
-  ComparisonAnswer as ResultComparison,
+  ComparisonAnswer as Comparison,
   Counts as VerdictCounts,
   CreatedLink as NewLink,
   Judgement as PaperJudgement,
@@ -59,9 +58,7 @@ export interface RunAnswer {
   readonly scenario: Scenario;
   /** What the vehicle’s values come to; services before core 0.4.0 do not say it. */
   readonly characteristics?: Characteristics;
-  /** What the vehicle has that cars hardly have; services before core 0.5.0 do not say it. */
-  readonly cautions?: readonly Caution[];
-  /** What the results mean beside each other; services before core 0.5.0 do not say it. */
+  /** The comparison of the results; services before core 0.5.0 do not have it. */
   readonly comparison?: Comparison;
   readonly strategies: Readonly<Record<StrategyId, Summary | Failure>>;
 }

@@ -4,8 +4,8 @@ import { sameValue } from "../scenario/path";
 import type {
   Caution,
   Characteristics,
+  Comparison,
   Failure,
-  ResultComparison,
   LiveAnswer,
   OverRoads,
   Run,
@@ -41,10 +41,10 @@ export interface Result {
   readonly scenario: Scenario;
   /** What the vehicle’s values come to. */
   readonly characteristics: Characteristics | undefined;
-  /** What the vehicle has that cars hardly have. */
+  /** Warnings about values outside a car's usual range, and about results that are not comparable. */
   readonly cautions: readonly Caution[];
   /** What its strategies mean beside each other, as the service says it. */
-  readonly comparison: ResultComparison | undefined;
+  readonly comparison: Comparison | undefined;
   readonly summaries: Readonly<Record<StrategyId, Summary>>;
   readonly failed: readonly Failed[];
   /** What several roads say: then the summaries are means, and curves and events are the first road's. */
@@ -83,7 +83,7 @@ export function fromRun(run: Run, { series, missing }: Histories, roundTripMs: n
     coreVersion: run.core_version,
     scenario: run.scenario,
     characteristics: run.characteristics,
-    cautions: run.cautions ?? NO_CAUTIONS,
+    cautions: run.comparison?.cautions ?? NO_CAUTIONS,
     comparison: run.comparison,
     ...split(run.strategies),
     over: run.over,
@@ -101,7 +101,7 @@ export function fromLive(answer: LiveAnswer, roundTripMs: number): Result {
     coreVersion: answer.core_version,
     scenario: answer.scenario,
     characteristics: answer.characteristics,
-    cautions: answer.cautions ?? NO_CAUTIONS,
+    cautions: answer.comparison?.cautions ?? NO_CAUTIONS,
     comparison: answer.comparison,
     summaries,
     failed,

@@ -3,7 +3,7 @@
 import { Button, Group, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
-import type { OverRoads, ResultComparison } from "../../api/types";
+import type { OverRoads, Comparison } from "../../api/types";
 import { useAction, useActionButton } from "../../lab/actions";
 import { useEdit, useLab, useReadOnly } from "../../lab/context";
 import type { ResultView } from "../../lab/resultView";
@@ -33,7 +33,7 @@ function isOfWhatIsShown({ shown, ids, baseline }: Pick<ResultView, "shown" | "i
 }
 
 /** The comparison of what is shown; until that is there, the one before. */
-function useComparison(resultView: ResultView): ResultComparison | undefined {
+function useComparison(resultView: ResultView): Comparison | undefined {
   const { shown, ids, baseline } = resultView;
   const own = isOfWhatIsShown(resultView) ? shown.comparison : undefined;
   const question = own || shown.runId === null || baseline === null ? null : { baseline, compare: ids.join(",") };
@@ -77,7 +77,7 @@ export function VerdictLine({ resultView }: { readonly resultView: ResultView })
 }
 
 interface WarningsProps extends Pick<ResultView, "summaries"> {
-  readonly best: ResultComparison["verdict"]["best"];
+  readonly best: Comparison["verdict"]["best"];
 }
 
 /** Why a result that the verdict calls best is one that no real car would have had. */

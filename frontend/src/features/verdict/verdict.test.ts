@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { Catalogue, Strategy, Summary } from "../../api/types";
-import type { Result } from "../../lab/result";
+import type { Catalogue, Caution, Run, Strategy, Summary } from "../../api/types";
+import { fromRun, type Result } from "../../lab/result";
 import { baselineOf } from "../../lab/resultView";
 import type { Labels } from "../../server/useCatalogues";
 import { possibleBaselines } from "../compare/CompareBar";
@@ -51,6 +51,12 @@ describe("the baseline", () => {
     expect(labels("passive")).toEqual(["LV", "Passive (hidden)"]);
     expect(labels("lqr")).toEqual(["LV", "LQR (failed)", "Passive (hidden)"]);
   });
+});
+
+it("A result is cautioned as its comparison is: of the vehicle and of another core's strategies", () => {
+  const cautions = ["paper_sag", "core_version"].map((kind) => ({ kind, text: kind }) as Caution);
+  const run = { strategies: {}, comparison: { cautions } } as unknown as Run;
+  expect(fromRun(run, { series: {}, missing: null }, 0, true).cautions).toEqual(cautions);
 });
 
 it("Speeds differ where strategies do not meet the bump alike", () => {

@@ -91,7 +91,7 @@ const Conclusion = memo(function Conclusion({ resultView }: PartProps) {
         <VerdictLine resultView={resultView} />
         <ChangeChips resultView={simulatedPart(resultView)} />
       </LazyPart>
-      <VehicleCautions resultView={resultView} />
+      <ResultCautions resultView={resultView} />
       <RoadsNote resultView={resultView} />
       <RecordingNotes resultView={resultView} />
       <LazyPart>
@@ -226,10 +226,10 @@ function RecordingNotes({ resultView }: { readonly resultView: ResultView }) {
 }
 
 /** The paper's own values are cautioned in the form alone: beside them every result would be. */
-function VehicleCautions({ resultView }: PartProps) {
+function ResultCautions({ resultView }: PartProps) {
   return resultView.shown.cautions
-    .filter(({ kind }) => !kind.endsWith("_as_printed"))
-    .map(({ kind, text }) => <Caution key={kind} text={text} />);
+    .filter(({ kind }) => kind !== "paper_sag")
+    .map(({ text }) => <Caution key={text} text={text} />);
 }
 
 /** Says over how many roads the numbers and the curves are, and which road the rest is of. */

@@ -3,7 +3,7 @@
 import { Group, Skeleton, Stack, Text } from "@mantine/core";
 import type { ReactNode } from "react";
 import { Icon, type IconName } from "../../ui/icons";
-import type { ComparedPoint, TunedFigure, Tuning, Comparison } from "../../api/types";
+import type { ComparedPoint, TunedFigure, Tuning, TuningComparison } from "../../api/types";
 import { isFinal } from "../../jobs/useJob";
 import type { Metric } from "../../server/metrics";
 import { formatPercent } from "../../features/tables/change";
@@ -241,7 +241,7 @@ function gainOf(point: ComparedPoint, objective: number): Gain | null {
 }
 
 /** Each objective at the point that is best for it. */
-export function gainsOf({ points }: Comparison, objectives: number): readonly Gain[] {
+export function gainsOf({ points }: TuningComparison, objectives: number): readonly Gain[] {
   return Array.from({ length: objectives }, (_, index) => points.find(({ roles }) => roles.includes(`best.${index}`)))
     .map((point, index) => (point ? gainOf(point, index) : null))
     .filter((gain) => gain !== null);
