@@ -7,11 +7,11 @@ from typing import Any
 from sim_core.comparison.caution import Caution
 from sim_core.comparison.change import Change
 from sim_core.comparison.rows import COMPARED, Row, changes_between, row_of
-from sim_core.comparison.vehicle_cautions import vehicle_cautions
+from sim_core.comparison.vehicle_cautions import scenario_cautions
 from sim_core.comparison.verdict import Verdict, verdict_on
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
-from sim_core.scenario import Scenario, Vehicle
+from sim_core.scenario import Scenario
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -23,7 +23,7 @@ class Comparison:
         changes: Strategy -> metric, by its flat name -> its change against the baseline. Without the baseline itself,
             and without metrics that either of both does not have.
         verdict: Which strategy is best, in words and metric by metric.
-        cautions: What makes the numbers mean less than they seem to: what a vehicle has that cars hardly have.
+        cautions: Warnings about values outside a car's usual range.
 
     Example:
         >>> from sim_core import Scenario, compare, simulate
@@ -75,12 +75,12 @@ def compare(
     if len({len(each) for each in by_road.values()} | {0}) != 2:
         counts = ", ".join(f"{len(each)} of {name}" for name, each in by_road.items())
         raise RidelabError(f"Every strategy needs a result on each of the same roads; there are {counts}")
-    rows, vehicles = [], []
+    rows, scenarios = [], []
     for name, each in by_road.items():
         is_random = any(result.scenario.is_random for result in each)
         rows.append(row_of(name, [result.summary() for result in each], is_random=is_random))
-        vehicles += [result.scenario.vehicle for result in each]
-    return _compare(rows, baseline or default_baseline(list(results)), vehicles)
+        scenarios += [result.scenario for result in each]
+    return _compare(rows, baseline or default_baseline(list(results)), scenarios)
 
 
 def compare_summaries(
@@ -99,13 +99,13 @@ def compare_summaries(
     """
     keys = tuple(metrics)
     rows = [row_of(name, each, is_random=scenario.is_random, metrics=keys) for name, each in summaries.items()]
-    return _compare(rows, baseline, [scenario.vehicle])
+    return _compare(rows, baseline, [scenario])
 
 
-def _compare(rows: Sequence[Row], baseline: str, vehicles: Iterable[Vehicle]) -> Comparison:
+def _compare(rows: Sequence[Row], baseline: str, scenarios: Iterable[Scenario]) -> Comparison:
     base = next((row for row in rows if row.strategy == baseline), None)
     changes = {} if base is None else {row.strategy: changes_between(row, base) for row in rows if row is not base}
-    cautions = dict.fromkeys(caution for vehicle in dict.fromkeys(vehicles) for caution in vehicle_cautions(vehicle))
+    cautions = dict.fromkeys(caution for scenario in scenarios for caution in scenario_cautions(scenario))
     return Comparison(baseline=baseline, changes=changes, verdict=verdict_on(rows, base), cautions=tuple(cautions))
 
 

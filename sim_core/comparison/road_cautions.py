@@ -1,4 +1,4 @@
-"""What a measured road's heights come to that a road's hardly do: most often they are in another unit."""
+"""Warnings about road heights outside the usual range."""
 
 from collections.abc import Sequence
 
@@ -12,7 +12,7 @@ M. W. Sayers and S. M. Karamihas 1998, The Little Book of Profiling, University 
 
 
 def road_cautions(tracks: Sequence[float]) -> tuple[Caution, ...]:
-    """Name what heights have that roads hardly have: an International Roughness Index below 0.1 or above 30 m/km.
+    """Return the warnings of heights with an International Roughness Index below 0.1 or above 30 m/km.
 
     Args:
         tracks: The index of each wheel track [m/km], as `sim_core.road.iri.iri` gives it.

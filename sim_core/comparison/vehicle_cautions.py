@@ -1,8 +1,9 @@
-"""What a vehicle's parameters come to that a car's hardly do: most often a whole car's mass on one track's springs."""
+"""Warnings about vehicle parameters outside the usual range."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping
 
 from sim_core.comparison.caution import Caution
+from sim_core.scenario import Scenario
 from sim_core.scenario.characteristics import characteristics
 from sim_core.scenario.vehicle import Vehicle
 
@@ -16,11 +17,12 @@ _ONE_TRACK = "Masses, springs and dampers are of one track, half of the car: "
 _TOO_HEAVY = f"{_ONE_TRACK}is the body mass a whole car's?"
 _TOO_STIFF = f"{_ONE_TRACK}are the springs a whole axle's?"
 _PRINTED = "These are the paper's own values (Table 2)."
+_REAL = "This is the car that is driven, with the factors of the model mismatch."
 _PAPERS = Vehicle()
 
 
 def vehicle_cautions(vehicle: Vehicle) -> tuple[Caution, ...]:
-    """Name what a vehicle has that cars hardly have: more than 200 mm of static sag, a body outside 0.5 to 3 Hz.
+    """Return the warnings of a vehicle with more than 200 mm of static sag or a body's frequency outside 0.5 to 3 Hz.
 
     Args:
         vehicle: The half-car.
@@ -36,32 +38,97 @@ def vehicle_cautions(vehicle: Vehicle) -> tuple[Caution, ...]:
         >>> [(each.kind, each.field) for each in vehicle_cautions(heavy)]
         [('sag', 'vehicle.body_mass')]
     """
-    values, (low, high) = characteristics(vehicle), BODY_FREQUENCIES
-    sags = {axle: getattr(values.static_sag, axle) for axle in _AXLES}
-    frequencies = {axle: getattr(values.natural_frequencies, f"{axle}_body") for axle in _AXLES}
-    deep = {axle: f"{1000 * sag:.0f} mm" for axle, sag in sags.items() if sag > LARGEST_SAG}
-    odd = {axle: f"{value:.2g} Hz" for axle, value in frequencies.items() if not low <= value <= high}
     cautions = []
-    if deep:
-        usual = f"usual is less than {1000 * LARGEST_SAG:.0f} mm"
-        text = f"The body's weight compresses the suspension by {_listed(deep)}; {usual}."
-        cautions.append(_caution("sag", text, _TOO_HEAVY, list(deep), vehicle))
-    if odd:
-        text = f"The body's natural frequency is {_listed(odd)}; usual is {low:g} to {high:g} Hz."
-        is_low = min(frequencies.values()) < low
-        cautions.append(_caution("body_frequency", text, _TOO_HEAVY if is_low else _TOO_STIFF, list(odd), vehicle))
+    if sags := _deep_sags(vehicle):
+        is_papers = _is_papers(vehicle, sags)
+        kind, question = (PAPER_SAG, _PRINTED) if is_papers else ("sag", _TOO_HEAVY)
+        cautions.append(Caution(kind=kind, text=f"{_sag_text(sags)} {question}", field=_field(sags)))
+    if frequencies := _odd_frequencies(vehicle):
+        question = _TOO_HEAVY if min(frequencies.values()) < BODY_FREQUENCIES[0] else _TOO_STIFF
+        text = f"{_frequency_text(frequencies)} {question}"
+        cautions.append(Caution(kind="body_frequency", text=text, field=_field(frequencies)))
     return tuple(cautions)
 
 
-def _listed(by_axle: Mapping[str, str]) -> str:
+def scenario_cautions(scenario: Scenario) -> tuple[Caution, ...]:
+    """Return the warnings of both vehicles of a scenario, the one that controllers believe in and the one driven.
+
+    Args:
+        scenario: What is driven.
+
+    Returns:
+        `vehicle_cautions` of the believed vehicle; of the driven one `sag` and `body_frequency` where they differ from
+        the believed one's, at the factor that leads to them, and `rests_on_stops` where its weight is borne by a
+        stop, too.
+
+    Example:
+        >>> from sim_core import Scenario
+        >>> from sim_core.comparison.vehicle_cautions import scenario_cautions
+        >>> loaded = Scenario.model_validate(
+        ...     {"vehicle": {"front_spring": 45000, "rear_spring": 45000}, "mismatch": {"body_mass": 2}}
+        ... )
+        >>> [(each.kind, each.field) for each in scenario_cautions(loaded)]
+        [('sag', 'mismatch.body_mass')]
+    """
+    believed = vehicle_cautions(scenario.vehicle)
+    return believed if scenario.real_vehicle is scenario.vehicle else (*believed, *_real_cautions(scenario))
+
+
+def _real_cautions(scenario: Scenario) -> Iterator[Caution]:
+    """Return the warnings of the driven vehicle that are not those of the believed one."""
+    believed, real = scenario.vehicle, scenario.real_vehicle
+    if (sags := _deep_sags(believed, real.lowered)) and _sag_text(sags) != _sag_text(_deep_sags(believed)):
+        yield Caution(kind="sag", text=f"{_sag_text(sags)} {_REAL}", field=_changed(scenario))
+    frequencies, others = _odd_frequencies(real), _odd_frequencies(believed)
+    if frequencies and _frequency_text(frequencies) != _frequency_text(others):
+        yield Caution(kind="body_frequency", text=f"{_frequency_text(frequencies)} {_REAL}", field=_changed(scenario))
+    pressed = {axle: min(pair) for axle, pair in zip(_AXLES, zip(*real.stop_clearances, strict=True), strict=True)}
+    if resting := {axle: f"{-1000 * each:.0f} mm" for axle, each in pressed.items() if each < 0}:
+        text = f"At rest the driven car presses its stops by {_at_axles(resting)}: it has no travel left that way."
+        yield Caution(kind="rests_on_stops", text=text, field="vehicle.bump_stop_clearance")
+
+
+def _changed(scenario: Scenario) -> str:
+    """Return the first factor that changes the body's sag or its natural frequency."""
+    names = ("body_mass", "springs", "tyres")
+    return next(f"mismatch.{name}" for name in names if getattr(scenario.mismatch, name) != 1)
+
+
+def _deep_sags(vehicle: Vehicle, lowered: tuple[float, float] = (0.0, 0.0)) -> dict[str, float]:
+    """Return the static sag [m] of each axle that has more than usual; `lowered` comes on top of it, front and rear."""
+    sags = characteristics(vehicle).static_sag
+    sums = {axle: getattr(sags, axle) + more for axle, more in zip(_AXLES, lowered, strict=True)}
+    return {axle: sag for axle, sag in sums.items() if sag > LARGEST_SAG}
+
+
+def _odd_frequencies(vehicle: Vehicle) -> dict[str, float]:
+    """Return the body's natural frequency [Hz] above each axle where it is outside the usual range."""
+    (low, high), values = BODY_FREQUENCIES, characteristics(vehicle).natural_frequencies
+    frequencies = {axle: getattr(values, f"{axle}_body") for axle in _AXLES}
+    return {axle: value for axle, value in frequencies.items() if not low <= value <= high}
+
+
+def _sag_text(sags: Mapping[str, float]) -> str:
+    by_axle = _at_axles({axle: f"{1000 * sag:.0f} mm" for axle, sag in sags.items()})
+    return f"The body's weight compresses the suspension by {by_axle}; usual is less than {1000 * LARGEST_SAG:.0f} mm."
+
+
+def _frequency_text(frequencies: Mapping[str, float]) -> str:
+    low, high = BODY_FREQUENCIES
+    by_axle = _at_axles({axle: f"{value:.2g} Hz" for axle, value in frequencies.items()})
+    return f"The body's natural frequency is {by_axle}; usual is {low:g} to {high:g} Hz."
+
+
+def _at_axles(by_axle: Mapping[str, str]) -> str:
     return " and ".join(f"{value} at the {axle} axle" for axle, value in by_axle.items())
 
 
-def _caution(kind: str, text: str, question: str, axles: Sequence[str], vehicle: Vehicle) -> Caution:
+def _is_papers(vehicle: Vehicle, axles: Mapping[str, float]) -> bool:
+    """Check whether everything that decides about the sag of these axles is as in the paper's Table 2."""
     deciding = ("body_mass", "cg_to_front", "cg_to_rear", *(f"{axle}_spring" for axle in axles))
-    is_printed = kind == "sag" and all(getattr(vehicle, name) == getattr(_PAPERS, name) for name in deciding)
-    return Caution(
-        kind=PAPER_SAG if is_printed else kind,
-        text=f"{text} {_PRINTED if is_printed else question}",
-        field="vehicle.body_mass" if len(axles) == len(_AXLES) else f"vehicle.{axles[0]}_spring",
-    )
+    return all(getattr(vehicle, name) == getattr(_PAPERS, name) for name in deciding)
+
+
+def _field(axles: Mapping[str, float]) -> str:
+    """Return the field to look at for what these axles have."""
+    return "vehicle.body_mass" if len(axles) == len(_AXLES) else f"vehicle.{next(iter(axles))}_spring"

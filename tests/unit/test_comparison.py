@@ -311,6 +311,9 @@ def test_results_of_the_core_are_compared_on_one_road_and_on_several() -> None:
     heavy = Scenario.model_validate({"vehicle": {"body_mass": 2400}})
     cautions = compare({"passive": [simulate(heavy, "passive")] * 2}).cautions
     assert [(each.kind, each.field) for each in cautions] == [("sag", "vehicle.body_mass")]
+    loaded = Scenario.model_validate({"mismatch": {"body_mass": 1.5}})
+    cautions = compare({"passive": simulate(loaded, "passive")}).cautions
+    assert [(each.kind, each.field) for each in cautions][1:] == [("sag", "mismatch.body_mass")], "of the driven car"
 
 
 def test_what_cannot_be_compared_is_said() -> None:

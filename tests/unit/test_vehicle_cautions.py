@@ -4,8 +4,8 @@ from typing import Any
 
 import pytest
 
-from sim_core.comparison.vehicle_cautions import vehicle_cautions
-from sim_core.scenario import Vehicle
+from sim_core.comparison.vehicle_cautions import scenario_cautions, vehicle_cautions
+from sim_core.scenario import Scenario, Vehicle
 from sim_core.scenario.presets import PRESETS
 from sim_core.scenario.vehicles import VEHICLES
 
@@ -47,6 +47,45 @@ def test_the_papers_own_sag_is_told_from_ones_own() -> None:
         (caution,) = vehicle_cautions(vehicle)
         assert (caution.kind, caution.field) == ("paper_sag", "vehicle.front_spring")
         assert caution.text.endswith("These are the paper's own values (Table 2).")
+
+
+STIFF = {"front_spring": 45_000, "rear_spring": 45_000}
+PAPERS = ("paper_sag", "vehicle.front_spring")
+
+
+@pytest.mark.parametrize(
+    ("vehicle", "mismatch", "expected", "said"),
+    [
+        (STIFF, {"body_mass": 2}, [("sag", "mismatch.body_mass")], "by 360 mm at the front axle; usual"),
+        (STIFF, {"springs": 0.5}, [("sag", "mismatch.springs")], "the factors of the model mismatch"),
+        ({}, {"body_mass": 1.1}, [PAPERS, ("sag", "mismatch.body_mass")], "by 330 mm at the front axle"),
+        ({}, {"damping": 0.5, "tyres": 1.2}, [PAPERS], ""),  # what is equal of both is said once
+        ({}, {"body_mass": 0.5}, [PAPERS], ""),
+        (
+            {"bump_stop_clearance": 0.05},
+            {"body_mass": 1.5},
+            [PAPERS, ("sag", "mismatch.body_mass"), ("rests_on_stops", "vehicle.bump_stop_clearance")],
+            "At rest the driven car presses its stops by ",
+        ),
+        ({**STIFF, "bump_stop_clearance": 0.2}, {"body_mass": 1.05}, [], ""),
+        ({**STIFF, "body_mass": 400}, {"springs": 3}, [("body_frequency", "mismatch.springs")], "Hz at the rear axle"),
+    ],
+)
+def test_the_driven_cars_own_values_are_said_beside_the_believed_ones(
+    vehicle: dict[str, Any], mismatch: dict[str, Any], expected: list[tuple[str, str]], said: str
+) -> None:
+    scenario = Scenario.model_validate({"vehicle": vehicle, "mismatch": mismatch})
+    cautions = scenario_cautions(scenario)
+    assert [(each.kind, each.field) for each in cautions] == expected
+    assert said in " ".join(each.text for each in cautions)
+
+
+def test_a_car_that_rests_on_its_stops_sags_less_than_its_springs_alone_would() -> None:
+    loaded = {"vehicle": {"bump_stop_clearance": 0.05}, "mismatch": {"body_mass": 1.5}}
+    _, sag, stops = scenario_cautions(Scenario.model_validate(loaded))
+    # 150 mm more on the springs alone; with the stop (27 · 150 + 200 · 50)/(27 + 200) = 61.9 mm.
+    assert "by 362 mm at the front axle" in sag.text
+    assert "by 12 mm at the front axle" in stops.text
 
 
 def test_no_vehicle_with_sources_and_no_preset_is_cautioned() -> None:

@@ -19,7 +19,7 @@ export function CharacteristicsTable({ of, clearance }: Props) {
     `${formatResult(frequency[`${axle}_${part}`])} Hz, ζ ${formatFixed(ratio[`${axle}_${part}`], 2)}`;
   const rows: readonly (readonly [name: string, front: string, rear: string])[] = [
     ["Static sag", `${mm(sag.front)} mm`, `${mm(sag.rear)} mm`],
-    ...(clearance === undefined ? [] : [["Travel to the stops, under load", travel, travel] as const]),
+    ...(clearance === undefined ? [] : [["Travel to the stops (believed car)", travel, travel] as const]),
     ["Natural frequency, body", mode("front", "body"), mode("rear", "body")],
     ["Natural frequency, wheel", mode("front", "wheel"), mode("rear", "wheel")],
   ];
