@@ -1,1 +1,1 @@
-"""What results mean beside each other, and what to beware of."""
+"""Comparison of several strategies' results."""

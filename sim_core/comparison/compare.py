@@ -1,12 +1,14 @@
-"""compare(results, baseline): what the results of several strategies mean beside each other."""
+"""Comparison of several strategies' results."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from sim_core.comparison.caution import Caution
 from sim_core.comparison.change import Change
-from sim_core.comparison.rows import COMPARED, Row, changes_between, row_of
+from sim_core.comparison.difference_cautions import difference_cautions
+from sim_core.comparison.rows import LOWER_IS_BETTER, Row, changes_between, row_of
 from sim_core.comparison.vehicle_cautions import scenario_cautions
 from sim_core.comparison.verdict import Verdict, verdict_on
 from sim_core.errors import RidelabError
@@ -16,14 +18,14 @@ from sim_core.scenario import Scenario
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Comparison:
-    """What the results of several strategies mean beside each other.
+    """Comparison of several strategies' results.
 
     Attributes:
-        baseline: The strategy that changes refer to.
+        baseline: The strategy that changes refer to, by its key in the results.
         changes: Strategy -> metric, by its flat name -> its change against the baseline. Without the baseline itself,
             and without metrics that either of both does not have.
         verdict: Which strategy is best, in words and metric by metric.
-        cautions: Warnings about values outside a car's usual range.
+        cautions: Warnings about values outside a car's usual range, and about results of different roads or scenarios.
 
     Example:
         >>> from sim_core import Scenario, compare, simulate
@@ -52,6 +54,9 @@ def compare(
 
     Args:
         results: Strategy -> its result, or one for each road: the same roads, in the same order, for every strategy.
+            Several results of one strategy have keys of your choice, such as `soft` and `hard`; a recorded drive and
+            what one road resolves go by the strategy of the result, whatever its key. Other roads than the baseline's
+            are cautioned (`other_road`), other vehicles, speeds or sensors too (`other_scenario`).
         baseline: The strategy that changes refer to; None is passive, or the first one where passive is not there.
 
     Raises:
@@ -72,22 +77,49 @@ def compare(
     if baseline is not None and baseline not in results:
         raise RidelabError(f"The baseline is one of the results, {', '.join(results)}: {baseline} is none of them")
     by_road = {name: [each] if isinstance(each, StrategyResult) else list(each) for name, each in results.items()}
-    if len({len(each) for each in by_road.values()} | {0}) != 2:
-        counts = ", ".join(f"{len(each)} of {name}" for name, each in by_road.items())
-        raise RidelabError(f"Every strategy needs a result on each of the same roads; there are {counts}")
-    rows, scenarios = [], []
-    for name, each in by_road.items():
-        is_random = any(result.scenario.is_random for result in each)
-        rows.append(row_of(name, [result.summary() for result in each], is_random=is_random))
-        scenarios += [result.scenario for result in each]
-    return _compare(rows, baseline or default_baseline(list(results)), scenarios)
+    counts = {len(each) for each in by_road.values()}
+    if len(counts) != 1 or 0 in counts:
+        listed = ", ".join(f"{len(each)} of {name}" for name, each in by_road.items())
+        raise RidelabError(f"Every strategy needs a result on each of the same roads; there are {listed}")
+    rows = _rows_of(by_road)
+    reference = baseline or default_baseline(list(results))
+    cautions = [
+        caution for each in by_road.values() for result in each for caution in scenario_cautions(result.scenario)
+    ]
+    return _compare(rows, reference, [*cautions, *_differences(rows, by_road, reference)])
+
+
+def _rows_of(by_road: Mapping[str, Sequence[StrategyResult]]) -> list[Row]:
+    """Return the rows of results; where several are of one strategy, each is called by its key."""
+    times = Counter(each[0].strategy for each in by_road.values())
+    return [
+        row_of(
+            each[0].strategy,
+            [result.summary() for result in each],
+            is_random=any(result.scenario.is_random for result in each),
+            key=key,
+            label=key if times[each[0].strategy] > 1 else None,
+        )
+        for key, each in by_road.items()
+    ]
+
+
+def _differences(
+    rows: Sequence[Row], by_road: Mapping[str, Sequence[StrategyResult]], baseline: str
+) -> Iterator[Caution]:
+    """Return the warnings of results of another road or scenario than the baseline's."""
+    reference = next(row.label for row in rows if row.key == baseline)
+    for row in rows:
+        pairs = zip(by_road[row.key], by_road[baseline], strict=True)
+        cautions = (difference_cautions(one.scenario, other.scenario, row, reference) for one, other in pairs)
+        yield from next((each for each in cautions if each), ())
 
 
 def compare_summaries(
     summaries: Mapping[str, Sequence[Mapping[str, Any]]],
     baseline: str,
     scenario: Scenario,
-    metrics: Iterable[str] = COMPARED,
+    metrics: Iterable[str] = LOWER_IS_BETTER,
 ) -> Comparison:
     """Return the comparison of results of one scenario of which only the summaries are there.
 
@@ -99,14 +131,14 @@ def compare_summaries(
     """
     keys = tuple(metrics)
     rows = [row_of(name, each, is_random=scenario.is_random, metrics=keys) for name, each in summaries.items()]
-    return _compare(rows, baseline, [scenario])
+    return _compare(rows, baseline, scenario_cautions(scenario))
 
 
-def _compare(rows: Sequence[Row], baseline: str, scenarios: Iterable[Scenario]) -> Comparison:
-    base = next((row for row in rows if row.strategy == baseline), None)
-    changes = {} if base is None else {row.strategy: changes_between(row, base) for row in rows if row is not base}
-    cautions = dict.fromkeys(caution for scenario in scenarios for caution in scenario_cautions(scenario))
-    return Comparison(baseline=baseline, changes=changes, verdict=verdict_on(rows, base), cautions=tuple(cautions))
+def _compare(rows: Sequence[Row], baseline: str, cautions: Iterable[Caution]) -> Comparison:
+    base = next((row for row in rows if row.key == baseline), None)
+    changes = {} if base is None else {row.key: changes_between(row, base) for row in rows if row is not base}
+    unique = tuple(dict.fromkeys(cautions))
+    return Comparison(baseline=baseline, changes=changes, verdict=verdict_on(rows, base), cautions=unique)
 
 
 def default_baseline(strategies: Sequence[str]) -> str:

@@ -1,4 +1,4 @@
-"""The rows of a comparison: what each strategy has for every metric on every road, and changes between two of them."""
+"""The rows of a comparison: each strategy's metrics on every road, and the changes between two strategies."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -16,12 +16,12 @@ from sim_core.comparison.variation import one_road_resolution, variation_of_one_
 from sim_core.scenario.recorded import recording_id
 from sim_core.strategies import label_of
 
-# The metrics of which less is better: neither counts of events nor the speed at the bump.
-COMPARED = tuple(
+# Neither counts of events nor the speed at the bump.
+LOWER_IS_BETTER = tuple(
     key for key, metric in METRICS.items() if metric.path[0] in ("metrics", "comfort") or key == "travel_time"
 )
 _SPEED = METRICS["arrival_speed_kmh"]
-_SCALES = {key: SHOWN_UNITS.get(METRICS[key].unit, ("", 1.0))[1] for key in COMPARED}
+_SCALES = {key: SHOWN_UNITS.get(METRICS[key].unit, ("", 1.0))[1] for key in LOWER_IS_BETTER}
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -29,74 +29,83 @@ class Row:
     """One strategy of a comparison.
 
     Attributes:
-        strategy: Its id.
+        key: Its name among the results that are compared.
+        strategy: The id of the strategy that was driven.
+        label: What sentences call it.
         values: Metric -> its value on each road [SI unit]; metrics that it does not have on every road are left out.
         speed: At the bump [km/h], the same on every road; None where it was not recorded.
         is_random: Whether another seed would give other values.
     """
 
+    key: str
     strategy: str
+    label: str
     values: Mapping[str, Sequence[float]]
     speed: float | None
     is_random: bool
 
     @property
     def is_recorded(self) -> bool:
-        """Whether it is a recorded drive and no simulated one."""
+        """Check whether it is a recorded drive."""
         return recording_id(self.strategy) is not None
 
     @cached_property
-    def label(self) -> str:
-        """What it is called."""
-        return label_of(self.strategy)
-
-    @cached_property
     def means(self) -> Mapping[str, float]:
-        """Metric -> its mean over the roads [SI unit]."""
+        """Return the mean of each metric over the roads [SI unit]."""
         return {metric: sum(values) / len(values) for metric, values in self.values.items()}
 
     @cached_property
     def resolution(self) -> Mapping[str, float]:
-        """Statistic -> the smallest change that one road tells from random variation [%]."""
+        """Return by statistic the smallest change that one road tells from random variation [%]."""
         return one_road_resolution(self.strategy)
 
 
 def row_of(
-    strategy: str, summaries: Sequence[Mapping[str, Any]], *, is_random: bool, metrics: Iterable[str] = COMPARED
+    strategy: str,
+    summaries: Sequence[Mapping[str, Any]],
+    *,
+    is_random: bool,
+    metrics: Iterable[str] = LOWER_IS_BETTER,
+    key: str | None = None,
+    label: str | None = None,
 ) -> Row:
     """Return the row of a strategy.
 
     Args:
-        strategy: Its id.
+        strategy: The id of the strategy that was driven.
         summaries: `StrategyResult.summary()` on each road.
         is_random: Whether another seed would give other values (`Scenario.is_random`); a recorded drive's always would.
         metrics: Flat names of those that are compared.
+        key: Its name among the results that are compared; None is the id.
+        label: What sentences call it; None is the strategy's label.
     """
     columns = {metric: [METRICS[metric].of(summary) for summary in summaries] for metric in metrics}
     values = {metric: column for metric, column in columns.items() if column and all(map(_is_number, column))}
     speed = _SPEED.of(summaries[0]) if summaries else None
     return Row(
+        key=strategy if key is None else key,
         strategy=strategy,
+        label=label_of(strategy) if label is None else label,
         values=values,
         speed=speed if _is_number(speed) else None,
         is_random=is_random or recording_id(strategy) is not None,
     )
 
 
-def changes_between(own: Row, base: Row, metrics: Iterable[str] = COMPARED) -> dict[str, Change]:
-    """Return the change of each metric of `own` against `base`; metrics that only one of them has are left out."""
-    both = [metric for metric in metrics if metric in own.values and metric in base.values]
-    if both and len(own.values[both[0]]) > 1:
-        intervals = changes_with_intervals(_table(own, both), _table(base, both))
+def changes_between(row: Row, baseline: Row, metrics: Iterable[str] = LOWER_IS_BETTER) -> dict[str, Change]:
+    """Return the change of each metric of `row` against `baseline`; metrics that only one of them has are left out."""
+    both = [metric for metric in metrics if metric in row.values and metric in baseline.values]
+    if both and len(row.values[both[0]]) > 1:
+        intervals = changes_with_intervals(_table(row, both), _table(baseline, both))
         return {
-            metric: change_over_roads(interval, own.means[metric], base.means[metric], scale=_SCALES[metric])
+            metric: change_over_roads(interval, row.means[metric], baseline.means[metric], scale=_SCALES[metric])
             for metric, interval in zip(both, intervals, strict=True)
         }
-    is_random, resolutions = own.is_random or base.is_random, (own.resolution, base.resolution)
+    is_random, resolutions = row.is_random or baseline.is_random, (row.resolution, baseline.resolution)
     return {
         metric: change_on_one_road(
-            own.values[metric][0],
-            base.values[metric][0],
+            row.values[metric][0],
+            baseline.values[metric][0],
             scale=_SCALES[metric],
             variation=variation_of_one_road(metric, resolutions) if is_random else 0.0,
         )

@@ -1,4 +1,4 @@
-"""The verdict in words: who is best, by how much the ride differs from the baseline, at which speeds."""
+"""The text of a verdict: the best strategy, the difference from the baseline, the speeds."""
 
 from collections.abc import Iterator, Sequence
 
@@ -14,8 +14,8 @@ from sim_core.catalogue import (
     metric_key,
 )
 from sim_core.comparison.change import Change
-from sim_core.comparison.contest import Contest, in_order
 from sim_core.comparison.numbers import percent
+from sim_core.comparison.ranking import Ranking, in_catalogue_order
 from sim_core.comparison.rows import Row, changes_between
 
 MOST_GROUPS, MOST_NAMED = 3, 4  # of groups and strategies that one sentence names
@@ -25,76 +25,79 @@ _HEADLINES = (metric_key(BUMP, PAPER_SIGNALS[0], PEAK), metric_key(ROUGH_ROAD, P
 _WINDOWS = {ROUGH_ROAD: ("RMS ", " on the rough road"), BUMP: ("peak ", " on the bump")}
 
 
-def sentences(contest: Contest, rows: Sequence[Row], baseline: Row | None) -> Iterator[str]:
+def sentences(ranking: Ranking, rows: Sequence[Row], baseline: Row | None) -> Iterator[str]:
     """Return the sentences of a verdict.
 
     Args:
-        contest: Of the simulated strategies.
+        ranking: Of the simulated strategies.
         rows: All strategies, recorded drives too.
         baseline: What changes refer to; None where it failed.
     """
     if len(rows) < 2:
         yield f"There is no other result to compare {rows[0].label} with." if rows else "There is no result to compare."
         return
-    if len(contest.rows) > 1 and contest.metrics:
-        yield _who(contest)
-    yield from _how_much(contest, baseline)
-    yield from _how_fast(rows)
+    if len(ranking.rows) > 1 and ranking.metrics:
+        yield _best_sentence(ranking)
+    yield from _difference_sentence(ranking, baseline)
+    yield from _speed_sentence(rows)
 
 
-def _who(contest: Contest) -> str:
+def _best_sentence(ranking: Ranking) -> str:
     """Return who is best, and in what."""
-    winner, count, beyond = contest.winner, len(contest.metrics), _beyond(contest.rows)
+    winner, count, beyond = ranking.winner, len(ranking.metrics), _beyond(ranking.rows)
     if winner is None:
-        return f"No clear winner: {_without_winner(contest)}."
-    wins = contest.wins(winner)
+        return f"No clear winner: {_without_winner(ranking)}."
+    wins = ranking.wins(winner)
     if wins == count:
         return f"{winner.label} is best in all {count} metrics."
     lead = f"{winner.label} is best in {wins} of {count} metrics"
-    others = [group for group in _groups(contest) if winner not in group[0]]
+    others = [group for group in _groups(ranking) if winner not in group[0]]
     if others:
         return f"{lead}, but {_clauses(others)}."
     rest = "the other one" if count - wins == 1 else f"the other {count - wins}"
     return f"{lead}; in {rest} no strategy is better{beyond}."
 
 
-def _without_winner(contest: Contest) -> str:
+def _without_winner(ranking: Ranking) -> str:
     """Return what there is to say in place of a winner."""
-    count, unbeaten, beyond = len(contest.metrics), contest.unbeaten, _beyond(contest.rows)
-    if len(unbeaten) == len(contest.rows):
+    count, never_worse, beyond = len(ranking.metrics), ranking.never_worse, _beyond(ranking.rows)
+    if len(never_worse) == len(ranking.rows):
         if not beyond:
-            return f"{_listed(contest.rows)} are equal in all {count} metrics"
-        return f"{_listed(contest.rows)} differ in none of {count} metrics{beyond}"
-    if len(unbeaten) > 1:
-        return f"{_listed(unbeaten)} differ in none of {count} metrics{beyond}, and no strategy is better than they are"
-    if len(unbeaten) == 1:
-        return f"in no metric is any strategy better than {unbeaten[0].label}{beyond}, but others are level with it"
-    return _clauses(_groups(contest))
+            return f"{_labels(ranking.rows)} are equal in all {count} metrics"
+        return f"{_labels(ranking.rows)} differ in none of {count} metrics{beyond}"
+    if len(never_worse) > 1:
+        return (
+            f"{_labels(never_worse)} differ in none of {count} metrics{beyond}, and no strategy is better than they are"
+        )
+    if len(never_worse) == 1:
+        others = "others are not beyond random variation of it" if beyond else "others equal it"
+        return f"in no metric is any strategy better than {never_worse[0].label}{beyond}, but {others}"
+    return _clauses(_groups(ranking))
 
 
 Group = tuple[tuple[Row, ...], list[str]]
 
 
-def _groups(contest: Contest) -> list[Group]:
+def _groups(ranking: Ranking) -> list[Group]:
     """Return the strategies that lead together, with the metrics they lead in; those with the most metrics first."""
     groups: dict[tuple[Row, ...], list[str]] = {}
-    for metric, leaders in contest.leaders.items():
-        groups.setdefault(leaders, []).append(metric)
-    # `contest.rows` are in the catalogue's order, whatever the order of the results is.
-    return sorted(groups.items(), key=lambda group: (-len(group[1]), len(group[0]), contest.rows.index(group[0][0])))
+    for metric, undominated in ranking.undominated.items():
+        groups.setdefault(undominated, []).append(metric)
+    # `ranking.rows` are in the catalogue's order, whatever the order of the results is.
+    return sorted(groups.items(), key=lambda group: (-len(group[1]), len(group[0]), ranking.rows.index(group[0][0])))
 
 
 def _clauses(groups: Sequence[Group]) -> str:
     """Return who has the lowest what: `LV control has the lowest tyre loads, Passive the lowest accelerations`."""
     parts: list[str] = []
-    for leaders, metrics in groups[:MOST_GROUPS]:
-        verb = "" if parts else " has" if len(leaders) == 1 else " have"
-        parts.append(f"{_listed(leaders)}{verb} the lowest {_named(metrics)}")
+    for undominated, metrics in groups[:MOST_GROUPS]:
+        verb = "" if parts else " has" if len(undominated) == 1 else " have"
+        parts.append(f"{_labels(undominated)}{verb} the lowest {_metric_words(metrics)}")
     rest = sum(len(metrics) for _, metrics in groups[MOST_GROUPS:])
     return ", ".join(parts) + (f", and others lead in {rest} more" if rest else "")
 
 
-def _named(metrics: Sequence[str]) -> str:
+def _metric_words(metrics: Sequence[str]) -> str:
     """Return the paper's metrics in words: `accelerations`, `peak tyre loads on the bump`."""
     signals = {
         window: [signal for signal in PAPER_SIGNALS if metric_key(window, signal, statistic) in metrics]
@@ -106,7 +109,7 @@ def _named(metrics: Sequence[str]) -> str:
         if rest := [signal for signal in each if signal not in both]:
             statistic, where = _WINDOWS[window]
             parts.append(f"{statistic}{_signals(rest)}{where}")
-    return _joined(parts)
+    return _join_words(parts)
 
 
 def _signals(signals: Sequence[str]) -> str:
@@ -116,22 +119,22 @@ def _signals(signals: Sequence[str]) -> str:
         if set(pair) <= set(rest):
             words.append(together)
             rest = [signal for signal in rest if signal not in pair]
-    return _joined([*words, *(SIGNALS[signal].label.lower() for signal in rest)])
+    return _join_words([*words, *(SIGNALS[signal].label.lower() for signal in rest)])
 
 
-def _how_much(contest: Contest, baseline: Row | None) -> Iterator[str]:
+def _difference_sentence(ranking: Ranking, baseline: Row | None) -> Iterator[str]:
     """Return by how much the ride differs from the baseline's, or from the next best where the baseline is best."""
-    metric = next((key for key in _HEADLINES if key in contest.metrics), None)
-    if metric is None or not contest.rows:
+    metric = next((key for key in _HEADLINES if key in ranking.metrics), None)
+    if metric is None or not ranking.rows:
         return
-    in_turn = sorted(contest.rows, key=lambda row: row.means[metric])
-    subject = contest.winner or in_turn[0]
+    in_turn = sorted(ranking.rows, key=lambda row: row.means[metric])
+    subject = ranking.winner or in_turn[0]
     rival = baseline if baseline is not subject else next((row for row in in_turn if row is not subject), None)
     if rival is None or metric not in rival.means:
         return
     window, signal = METRICS[metric].path[1:3]
     statistic, where = _WINDOWS[window]
-    is_only_one_named = subject is contest.winner and subject in contest.unbeaten
+    is_only_one_named = subject is ranking.winner and subject in ranking.never_worse
     whose = "Its" if is_only_one_named else f"With {subject.label}, the"
     yield f"{whose} {statistic}{SIGNALS[signal].label.lower()}{where} {_compared(subject, rival, metric)}."
 
@@ -152,24 +155,26 @@ def _size(change: Change) -> str:
     return percent(abs(change.change or 0.0), half).removeprefix("+")
 
 
-def _how_fast(rows: Sequence[Row]) -> Iterator[str]:
-    """Return at which speed each strategy meets the bump, as far as it is known."""
-    driven = sorted((row.speed, row.strategy, row) for row in rows if row.speed is not None)
+def _speed_sentence(rows: Sequence[Row]) -> Iterator[str]:
+    """Return at which speed each strategy meets the bump, as far as it is known; `all` only where it is of all."""
+    driven = sorted((row.speed, row.key, row) for row in rows if row.speed is not None)
     groups: list[tuple[float, list[Row]]] = []
     for speed, _, row in driven:
         if groups and speed - groups[-1][0] <= _SAME_SPEED * speed:
             groups[-1][1].append(row)
         else:
             groups.append((speed, [row]))
+    is_of_all, names = len(driven) == len(rows), _labels([row for _, _, row in driven])
     if len(groups) == 1 and len(driven) > 1:
-        yield f"{'Both' if len(driven) == 2 else 'All'} meet the bump at {_kmh(groups[0][0])}."
+        together = "Both" if len(driven) == 2 else "All"
+        yield f"{together if is_of_all else names} meet the bump at {_kmh(groups[0][0])}."
     elif len(groups) > MOST_GROUPS:
-        yield f"They meet the bump at {_kmh(groups[0][0])} to {_kmh(groups[-1][0])}."
+        yield f"{'They' if is_of_all else names} meet the bump at {_kmh(groups[0][0])} to {_kmh(groups[-1][0])}."
     elif groups:
-        is_long = len(driven) > MOST_NAMED
+        is_long = is_of_all and len(driven) > MOST_NAMED
         (speed, first), *others = sorted(groups, key=lambda group: len(group[1])) if is_long else groups
-        parts = [f"{_listed(first)} {'meets' if len(first) == 1 else 'meet'} the bump at {_kmh(speed)}"]
-        parts += [f"{_listed(group)} at {_kmh(speed)}" for speed, group in others]
+        parts = [f"{_labels(first)} {'meets' if len(first) == 1 else 'meet'} the bump at {_kmh(speed)}"]
+        parts += [f"{_labels(group)} at {_kmh(speed)}" for speed, group in others]
         if is_long:  # the largest group comes last
             parts[-1] = f"the others at {_kmh(others[-1][0])}"
         yield ", ".join(parts) + "."
@@ -186,11 +191,11 @@ def _kmh(speed: float) -> str:
     return f"{speed:.{1 if speed < 99.95 else 0}f}\u00a0km/h"
 
 
-def _listed(rows: Sequence[Row]) -> str:
+def _labels(rows: Sequence[Row]) -> str:
     """Return the strategies' labels, in the catalogue's order."""
-    return _joined([row.label for row in in_order(rows)])
+    return _join_words([row.label for row in in_catalogue_order(rows)])
 
 
-def _joined(words: Sequence[str]) -> str:
+def _join_words(words: Sequence[str]) -> str:
     """Return `a`, `a and b`, or `a, b and c`."""
     return " and ".join([*([", ".join(words[:-1])] if len(words) > 1 else []), *words[-1:]])

@@ -1,4 +1,4 @@
-"""How large a change on one random road may be by chance: the random variation of one road.
+"""Thresholds below which a change on one random road may be random variation.
 
 A road's roughness is random. Of two roads of the same class, one meets the bump with a peak where the other has a
 valley, so the same car on the other road has other peaks. A strategy that follows a control grid varies once more with

@@ -1,16 +1,16 @@
-"""Which strategy is best, metric by metric and in a sentence."""
+"""The verdict of a comparison: the best strategy by metric, and as text."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from sim_core.comparison.contest import Contest
+from sim_core.comparison.ranking import Ranking
 from sim_core.comparison.rows import Row
 from sim_core.comparison.sentences import sentences
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Verdict:
-    """Which of several strategies is best.
+    """The verdict of a comparison: the best strategy by metric, and as text.
 
     Attributes:
         text: Whole sentences: who is best in how many of the paper's metrics, by how much the ride on the bump differs
@@ -39,9 +39,9 @@ def verdict_on(rows: Sequence[Row], baseline: Row | None) -> Verdict:
         rows: One for each strategy; their order is of no account.
         baseline: What changes refer to; None where it failed.
     """
-    contest = Contest(rows)
+    ranking = Ranking(rows)
     return Verdict(
-        text=" ".join(sentences(contest, rows, baseline)),
-        best={metric: None if best is None else best.strategy for metric, best in contest.best.items()},
-        mixed=len(contest.rows) > 1 and bool(contest.metrics) and not contest.unbeaten,
+        text=" ".join(sentences(ranking, rows, baseline)),
+        best={metric: None if best is None else best.key for metric, best in ranking.best.items()},
+        mixed=len(ranking.rows) > 1 and bool(ranking.metrics) and not ranking.never_worse,
     )

@@ -142,7 +142,9 @@ SMOOTH = Scenario(road=Road(roughness=0))
 LABELS = {"lv": "LV control", "lqr": "LQR", "passive": "Passive", "skyhook": "Skyhook"}
 
 
-def summaries(values: Mapping[str, Sequence[float]], speeds: Mapping[str, float]) -> dict[str, list[dict[str, Any]]]:
+def summaries(
+    values: Mapping[str, Sequence[float]], speeds: Mapping[str, float | None]
+) -> dict[str, list[dict[str, Any]]]:
     """On one road: of each strategy the paper's eight metrics."""
     found = {}
     for name, row in values.items():
@@ -155,15 +157,15 @@ def summaries(values: Mapping[str, Sequence[float]], speeds: Mapping[str, float]
 
 
 def compared(
-    values: Mapping[str, Sequence[float]], speeds: Mapping[str, float] | None = None, *, is_random: bool = True
+    values: Mapping[str, Sequence[float]], speeds: Mapping[str, float | None] | None = None, *, is_random: bool = True
 ) -> Comparison:
     return compare_summaries(summaries(values, speeds or {}), "passive", Scenario() if is_random else SMOOTH)
 
 
 # rough road: body, pitch, front tyre, rear tyre; then the same on the bump
 LOW, HIGH = [1.0] * 8, [2.0] * 8
-SPEEDS = {"lv": 22.5, "lqr": 22.5, "passive": 50.0}
-VERDICTS: dict[str, tuple[dict[str, Sequence[float]], dict[str, float], str, bool]] = {
+SPEEDS: dict[str, float | None] = {"lv": 22.5, "lqr": 22.5, "passive": 50.0}
+VERDICTS: dict[str, tuple[dict[str, Sequence[float]], dict[str, float | None], str, bool]] = {
     "one is best throughout": (
         {"lv": LOW, "lqr": [1.5] * 8, "passive": HIGH},
         SPEEDS,
@@ -234,6 +236,31 @@ VERDICTS: dict[str, tuple[dict[str, Sequence[float]], dict[str, float], str, boo
         {"lv": LOW, "lqr": HIGH, "skyhook": HIGH, "hybrid": HIGH, "passive": HIGH},
         {"passive": 50.0},
         "Passive meets the bump at 50.0\u00a0km/h, the others at 20.0\u00a0km/h.",
+        False,
+    ),
+    "one of three has no speed": (
+        {"lv": LOW, "lqr": HIGH, "passive": HIGH},
+        {"lv": 22.5, "lqr": 22.5, "passive": None},
+        " LV control and LQR meet the bump at 22.5\u00a0km/h.",
+        False,
+    ),
+    "one of six has no speed": (
+        {"lv": LOW, "lqr": HIGH, "skyhook": HIGH, "hybrid": HIGH, "groundhook": HIGH, "passive": HIGH},
+        {"passive": None, "lqr": 50.0},
+        "at 20.0\u00a0km/h, LQR at 50.0\u00a0km/h.",
+        False,
+    ),
+    "four speeds, and one of five has none": (
+        {"lv": LOW, "lqr": HIGH, "skyhook": HIGH, "hybrid": HIGH, "passive": HIGH},
+        {"lv": 20.0, "lqr": 30.0, "skyhook": 40.0, "hybrid": 50.0, "passive": None},
+        "meet the bump at 20.0\u00a0km/h to 50.0\u00a0km/h.",
+        False,
+    ),
+    "never worse, and in no metric better than every other one": (
+        {"lv": LOW, "lqr": [1.05] * 4 + [2.0] * 4, "passive": [2.0] * 4 + [1.05] * 4},
+        {},
+        "No clear winner: in no metric is any strategy better than LV control beyond the random variation of one road, "
+        "but others are not beyond random variation of it.",
         False,
     ),
 }
@@ -314,6 +341,45 @@ def test_results_of_the_core_are_compared_on_one_road_and_on_several() -> None:
     loaded = Scenario.model_validate({"mismatch": {"body_mass": 1.5}})
     cautions = compare({"passive": simulate(loaded, "passive")}).cautions
     assert [(each.kind, each.field) for each in cautions][1:] == [("sag", "mismatch.body_mass")], "of the driven car"
+
+
+def test_results_go_by_their_strategy_whatever_their_key_is() -> None:
+    """`lv` as a key says nothing of what was driven: 10 % of a passive car's peak is not random."""
+    result = simulate(Scenario(), "passive")
+
+    def with_peak(peak: float) -> Any:
+        bump = {**result.metrics["bump"], "body_acceleration": {"rms": 1.0, "peak": peak}}
+        return replace(result, metrics={**result.metrics, "bump": bump})
+
+    comparison = compare({"lv": with_peak(1.0), "hard": with_peak(0.9)}, "lv")
+    assert comparison.changes["hard"]["bump.body_acceleration.peak"].beyond_variation
+    assert comparison.verdict.best["bump.body_acceleration.peak"] == "hard"
+    assert "10.0\u2009% lower than with lv" in comparison.verdict.text, "both are passive: their keys tell them apart"
+    assert {each.kind for each in comparison.cautions} == {"paper_sag"}
+    recording = replace(with_peak(0.5), strategy="recording:" + 22 * "a")
+    recorded = compare({"drive": recording, "passive": result})
+    assert set(recorded.verdict.best.values()) == {None}, "a recorded drive wins nothing"
+    assert "drive" not in recorded.verdict.text
+
+
+@pytest.mark.parametrize(
+    ("other", "expected"),
+    [
+        ({"road": {"seed": 9, "length": 130, "bump": {"height": 0.08}}}, [("other_road", "road.seed")]),
+        ({"vehicle": {"front_spring": 20_000}}, [("other_scenario", "vehicle.front_spring")]),
+        ({"mpc": {"deflection_limit": 0.06}, "lqr": {"deflection_weight": 4}}, []),  # its own tuning
+    ],
+)
+def test_results_of_other_roads_or_scenarios_are_cautioned(
+    other: dict[str, Any], expected: list[tuple[str, str]]
+) -> None:
+    results = {"lv": simulate(Scenario(), "lv"), "passive": simulate(Scenario.model_validate(other), "passive")}
+    found = [each for each in compare(results).cautions if each.kind.startswith("other")]
+    assert [(each.kind, each.field) for each in found] == expected
+    assert all(each.strategy == "lv" for each in found), "the baseline is what the others are compared with"
+    assert all(str(each.field) in each.text and "than Passive" in each.text for each in found)
+    several = compare({name: [each, each] for name, each in results.items()})
+    assert [each.kind for each in several.cautions if each.kind.startswith("other")] == [kind for kind, _ in expected]
 
 
 def test_what_cannot_be_compared_is_said() -> None:
