@@ -111,7 +111,9 @@ ShownStrategy = Annotated[
 ]
 SignalName = Annotated[str, AfterValidator(_check_signal), Field(json_schema_extra={"enum": list(SIGNALS)})]
 MetricName = Annotated[str, AfterValidator(_check_metric), Field(json_schema_extra={"enum": list(NUMBERS)})]
-Points = Annotated[int, Field(ge=2, le=MAX_LIVE_POINTS, description="About how many samples; peaks survive.")]
+Points = Annotated[
+    int, Field(ge=2, le=MAX_LIVE_POINTS, description="At most how many samples; up to half of them are peaks.")
+]
 
 
 def _seeds_exist(roads: int, info: ValidationInfo) -> int:

@@ -29,7 +29,7 @@ class Sampling:
     """Which samples of a run's time histories are wanted, the same ones of all signals.
 
     Attributes:
-        points: About how many.
+        points: At most how many.
         part: `bump` is the bump with some road around it, None is the whole road.
     """
 

@@ -83,7 +83,7 @@ async def get_road(
     service: RoadsService,
     client: Client,
     road_id: Annotated[str, Path(alias="id", max_length=64, description="Of the road")],
-    points: Annotated[int, Query(ge=2, le=MAX_POINTS, description="Of JSON: about how many heights")] = 2000,
+    points: Annotated[int, Query(ge=2, le=MAX_POINTS, description="Of JSON: at most how many heights")] = 2000,
     file_format: Annotated[
         Literal["json", "csv", "crg"],
         Query(alias="format", description="CSV and OpenCRG have every height and can be sent again"),

@@ -48,7 +48,9 @@ ReportsService = Annotated[RunReports, service(lambda services: services.reports
 AnalysisService = Annotated[ControlAnalysis, service(lambda services: services.analysis)]
 SolverService = Annotated[Solver, service(lambda services: services.solver)]
 Signals = Annotated[str | None, Query(description="Keys with commas; omitted is all")]
-Points = Annotated[int | None, Query(ge=2, le=models.MAX_POINTS, description="About how many samples; omitted is all")]
+Points = Annotated[
+    int | None, Query(ge=2, le=models.MAX_POINTS, description="At most how many samples; omitted is all")
+]
 RunId = Annotated[str, Path(alias="id", description=f"{RUN_ID_LENGTH} characters", max_length=64)]
 Axis = Annotated[Literal["position", "time"], Query(description="What is on the x axis")]
 Required = Annotated[

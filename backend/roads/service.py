@@ -58,7 +58,7 @@ class MeasuredRoads:
         )
 
     async def get(self, road_id: str, points: int, client: str) -> RoadAnswer:
-        """The stored road with about so many of its heights.
+        """The stored road with at most so many of its heights.
 
         Raises:
             NotFoundError: There is none.
@@ -151,15 +151,16 @@ def _missing(road_id: str) -> str:
 
 
 def drawn(road: MeasuredRoad, points: int) -> tuple[list[float], list[float], list[DetectedBump]]:
-    """About `points` of its heights, the extremes of each section, with their distances; and its bumps."""
+    """At most `points` of its heights, the ends and the extremes of each section, with distances; and its bumps."""
     heights = road.heights()
-    each = max(1, -(-2 * len(heights) // points))
-    cut = len(heights) // each * each
-    stretches = heights[:cut].reshape(-1, each)
-    first = np.arange(0, cut, each)
-    samples = np.unique(
-        np.concatenate([first + stretches.argmin(axis=1), first + stretches.argmax(axis=1), [len(heights) - 1]])
-    )
+    count, sections = len(heights), (points - 2) // 2
+    samples = np.arange(count)
+    if points < count:
+        each = -(-count // max(1, sections))
+        stretches = np.pad(heights, (0, -count % each), mode="edge").reshape(-1, each)[:sections]
+        first = np.arange(len(stretches)) * each
+        lowest, highest = first + stretches.argmin(axis=1), first + stretches.argmax(axis=1)
+        samples = np.unique(np.concatenate([[0], lowest, highest, [count - 1]]).clip(max=count - 1))
     return (samples * SPACING).round(2).tolist(), heights[samples].tolist(), bumps_in(heights)
 
 

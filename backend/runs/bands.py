@@ -134,7 +134,7 @@ def render(
         roads: How many each holds.
         stages: By strategy its driving stages, see `series.decimate`.
         signals: Keys in the catalogue's order, time the first.
-        points: About how many samples, the same ones of mean, minimum and maximum; None is all.
+        points: At most how many samples, the same ones of mean, minimum and maximum; None is all.
         encoding: How JSON holds numbers: `list` or `base64`.
         path: Where to, see `pieces.render_to`.
     """

@@ -44,7 +44,7 @@ class RunCurves:
             client: Who asks.
             strategies: Which of the run's; None where it has one.
             signals: Which; None is all.
-            points: About how many samples; None is all.
+            points: At most how many samples; None is all.
             file_format: The format.
             encoding: How JSON holds numbers.
 

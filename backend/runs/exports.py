@@ -54,7 +54,7 @@ class Export:
     Attributes:
         strategies: Ids, in the order they come out.
         signals: Keys, in the catalogue's order.
-        points: About how many samples of each strategy, None for all.
+        points: At most how many samples of each strategy, None for all.
         provenance: Where they come from, kept in the file where its format has a place for it.
         sources: By id of a controller of one's own its file and digest, kept likewise.
     """
@@ -81,7 +81,7 @@ def value_bytes(file_format: str, encoding: str) -> float:
 
 
 def rows(samples: Iterable[int], points: int | None) -> int:
-    """About how many samples come out of strategies with so many, at about `points` of each (None is all)."""
+    """About how many samples come out of strategies with so many, at most `points` of each (None is all)."""
     return sum(count if points is None else min(count, points) for count in samples)
 
 

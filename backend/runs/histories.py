@@ -89,7 +89,7 @@ class Histories:
         return {name: key for name, key in keys.items() if key in pinned}
 
     async def outcomes(self, stored: StoredRun, client: str, points: int = FIGURE_POINTS) -> dict[str, Outcome]:
-        """The strategies that have time histories, with about so many samples, by default as many as figures need.
+        """The strategies that have time histories, with at most so many samples, by default as many as figures need.
 
         Raises:
             GoneError: Another core version computed the run, or its road is gone, and nothing is pinned.

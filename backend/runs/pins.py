@@ -54,7 +54,7 @@ def signals(content: bytes) -> set[str]:
 
 
 def columns(content: bytes, stages: SamplingHints, points: int | None) -> dict[str, SeriesArray]:
-    """By signal about so many of its samples; `signals` in the catalogue's order."""
+    """By signal at most so many of its samples; `signals` in the catalogue's order."""
     present = signals(content)
     reads = _parquet().pinned_samples if content.startswith(PARQUET) else _samples
     samples: dict[str, SeriesArray] = reads(content, [key for key in SIGNALS if key in present])
@@ -100,7 +100,7 @@ def opened(
     Args:
         pinned: By strategy its file.
         stages: By strategy its driving stages, see `series.decimate`.
-        points: About how many samples; None is all.
+        points: At most how many samples; None is all.
     """
     return {name: _aligned(columns(content, stages[name], points)) for name, content in pinned.items()}
 

@@ -48,7 +48,8 @@ def pack(result: StrategyResult, sampling: Sampling | None = None) -> SeriesArra
         return array
     stages = SamplingHints.of((span.stage, span.start_time, span.end_time) for span in result.stages)
     one_by_one = (series.between(key, 0, count, np.float32) for key in SIGNALS)  # all of a long run take 130 MB
-    shown = shown_samples(series.between("time", 0, count, np.float32), one_by_one, sampling.points, stages)
+    time = series.between("time", 0, count, np.float32)
+    shown = shown_samples(time, one_by_one, len(SIGNALS), sampling.points, stages)
     return np.array([series.at(key, shown) for key in SIGNALS], dtype=np.float32)
 
 
@@ -98,63 +99,138 @@ class SamplingHints:
 
 
 def decimate(series: SeriesArray, points: int | None, stages: SamplingHints) -> SeriesArray:
-    """About `points` samples of a series whose first signal is the time, or all: those of `shown_samples`."""
+    """At most `points` samples of a series whose first signal is the time, or all: those of `shown_samples`."""
     if points is None or points >= series.shape[1]:
         return series
-    return series.take(shown_samples(series[0], series, points, stages), axis=1)  # row by row, as JSON is written
+    shown = shown_samples(series[0], series, len(series), points, stages)
+    return series.take(shown, axis=1)  # row by row, as JSON is written
 
 
 def shown_samples(
-    time: SeriesArray, signals: Iterable[SeriesArray], points: int, stages: SamplingHints
+    time: SeriesArray, signals: Iterable[SeriesArray], signal_count: int, points: int, stages: SamplingHints
 ) -> NDArray[np.intp]:
-    """About `points` of all samples, the same ones for all signals, every peak among them.
+    """Return which samples to show, at most `points`, the same ones for all signals.
 
-    Half of them are spent on the bump, where there is one. Half of each part's lie evenly. The others are those that
-    straight lines between these miss most (relative to the signal's span), at most one in each half of a gap, so that a
-    spike gets its flanks. Added is each signal's largest and smallest value in each stage.
+    Up to half of them are the first, the last, and peaks: each signal's largest and smallest value of the run, then
+    those that it has in each stage, on the bump before others. Every one is among them where `points` is four times
+    the signals for each stage, and four. Of the rest half are spent on the bump, where there is one. Half of each
+    part's lie evenly; the others are those that straight lines between these miss most (relative to the signal's span),
+    at most one in each half of a gap, so that a spike gets its flanks.
 
     Args:
         time: Of each sample (samples,) [s].
         signals: Each (samples,).
-        points: How many samples; fewer than there are.
+        signal_count: How many signals there are.
+        points: At least 2, and fewer than there are samples.
         stages: Of the run.
 
     Returns:
         Their places in ascending order.
     """
     count = len(time)
-    first, last = np.searchsorted(time, stages.bump or ()).tolist() or (0, count)
+    cuts = np.searchsorted(time, np.asarray(stages.breaks, dtype=np.float32)).tolist()
+    windows = np.array(sorted({0, *cuts, count}), dtype=np.intc)
+    bump = np.searchsorted(time, stages.bump or ()).tolist() or (0, count)
+    most_peaks = max(2, min(points // 2, 2 * signal_count * (len(windows) - 1) + 2))
+    shown, gaps = _even_samples(count, bump, points - most_peaks)
+    table = np.array([(gap.start, gap.stride, gap.count) for gap in gaps], dtype=np.intc).reshape(-1, 3)
+    missed = np.zeros(table[:, 1] @ table[:, 2], dtype=np.float32)
+    extremes = np.zeros(count, dtype=np.uint8)
+    mark = sample_marker(windows, table, extremes, missed)
+    shown[_peaks(signals, mark, extremes, bump)[:most_peaks]] = True
+    spare = [_most_missed(gap, missed, shown) for gap in gaps]
+    left = np.hstack([np.empty((2, 0)), *spare])
+    best = left[0, np.argsort(-left[1], kind="stable")].astype(np.intp)
+    shown[best[: points - np.count_nonzero(shown)]] = True
+    return np.flatnonzero(shown)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Gaps:
+    """Equal gaps between samples that lie evenly.
+
+    Attributes:
+        start: The first of these samples.
+        stride: From one to the next.
+        count: How many gaps.
+        offset: Where what lines across the gaps miss begins, among that of all.
+        few: How many samples inside them are shown.
+    """
+
+    start: int
+    stride: int
+    count: int
+    offset: int
+    few: int
+
+
+def _even_samples(count: int, bump: tuple[int, int], points: int) -> tuple[NDArray[np.bool_], list[_Gaps]]:
+    """Return which of all samples lie evenly among `points` (half of them on the bump), and the gaps between them."""
+    first, last = bump
     around = count - (last - first)
     parts = [(0, count, points)]
     if around > last - first:
+        outside = (points - points // 2) / around
         parts = [
-            (0, first, max(2, points * first // (2 * around))),
-            (first, last, max(2, points // 2)),
-            (last, count, max(2, points * (count - last) // (2 * around))),
+            (0, first, int(outside * first)),
+            (first, last, points // 2),
+            (last, count, int(outside * (count - last))),
         ]
-    shown = np.zeros(count, dtype=np.uint8)
-    shown[[0, -1]] = 1
-    gaps = []
+    shown, gaps, offset = np.zeros(count, dtype=bool), list[_Gaps](), 0
     for start, end, few in parts:
-        half = -(-(end - start) // few)
-        if half > 1:
-            gaps.append((start, 2 * half, (end - start - 1) // (2 * half)))
-        else:
-            shown[start:end] = 1
-    table = np.array(gaps, dtype=np.intc).reshape(-1, 3)
-    missed = np.zeros(table[:, 1] @ table[:, 2], dtype=np.float32)
-    cuts = np.searchsorted(time, np.asarray(stages.breaks, dtype=np.float32)).tolist()
-    windows = np.array(sorted({0, *cuts, count}), dtype=np.intc)
-    mark = sample_marker(windows, table, shown, missed)
+        if few >= end - start:
+            shown[start:end] = True
+        elif few > 0:
+            half = -(-(end - start) // few)
+            number = (end - start - 1) // (2 * half)
+            shown[start + np.arange(number + 1) * 2 * half] = True
+            if number:
+                gaps.append(_Gaps(start=start, stride=2 * half, count=number, offset=offset, few=few - number - 1))
+                offset += 2 * half * number
+    return shown, gaps
+
+
+def _peaks(
+    signals: Iterable[SeriesArray],
+    mark: Callable[[SeriesArray], None],
+    extremes: NDArray[np.uint8],
+    bump: tuple[int, int],
+) -> list[int]:
+    """Return the ends and every signal's largest and smallest values, those that have to be shown most first.
+
+    Args:
+        signals: Each (samples,).
+        mark: Marks a signal's extremes of each stage in `extremes`.
+        extremes: Of each sample whether it is one; none is yet.
+        bump: First sample of the bump, and the first one after it.
+    """
+    of_run: list[int] = [0, len(extremes) - 1]
     for signal in signals:
         mark(signal)
-    for start, stride, number in gaps:
-        halves, missed = np.split(missed, [stride * number])
-        halves = halves.reshape(2 * number, stride // 2)
-        worst = np.arange(2 * number) * (stride // 2) + halves.argmax(axis=1)
-        shown[start + np.arange(number + 1) * stride] = 1
-        shown[start + worst[np.argsort(halves.max(axis=1))[number:]]] = 1
-    return np.flatnonzero(shown)
+        places = np.flatnonzero(extremes)
+        values = signal[places]
+        if not np.isnan(values).all():
+            of_run += [int(places[np.nanargmax(values)]), int(places[np.nanargmin(values)])]
+    of_stages = np.flatnonzero(extremes)
+    on_bump = (of_stages >= bump[0]) & (of_stages < bump[1])
+    return list(dict.fromkeys([*of_run, *of_stages[on_bump].tolist(), *of_stages[~on_bump].tolist()]))
+
+
+def _most_missed(gaps: _Gaps, missed: NDArray[np.float32], shown: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """Show the samples that lines across the gaps miss most, one in each half of a gap.
+
+    Returns:
+        The places of the samples that are next, and by how much lines miss them (2, samples).
+    """
+    half = gaps.stride // 2
+    halves = missed[gaps.offset : gaps.offset + gaps.stride * gaps.count].reshape(2 * gaps.count, half)
+    places = gaps.start + np.arange(2 * gaps.count) * half + halves.argmax(axis=1)
+    away = halves.max(axis=1)
+    order = np.argsort(-away, kind="stable")
+    shown[places[order[: gaps.few]]] = True
+    rest = order[gaps.few :]
+    rest = rest[~shown[places[rest]]]
+    return np.array([places[rest], away[rest]], dtype=np.float64)
 
 
 def packed(values: NDArray[np.float32]) -> dict[str, str]:

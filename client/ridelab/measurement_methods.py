@@ -33,7 +33,7 @@ class MeasurementMethods(Connection):
         return self._http.json("POST", f"{API}/roads", body=content, params=wheels, headers={"Content-Type": kind})
 
     def road(self, road_id: str, points: int = 2000) -> dict[str, Any]:
-        """A measured road: as `upload_road` has it, and about so many heights, `distance` and `height` [m]."""
+        """A measured road: as `upload_road` has it, and at most so many heights, `distance` and `height` [m]."""
         road: dict[str, Any] = self.get(f"/roads/{quoted_id(road_id)}", {"points": points})
         return road
 

@@ -64,8 +64,8 @@ class RunMethods(Connection):
             run: The run or its id.
             strategy: Its id.
             signals: Which, always with time and position; None is all.
-            points: About how many samples; None is all, with two at each instant at which a held force jumps: the
-                values before and after.
+            points: At most how many samples, see api.md; None is all, with two at each instant at which a held force
+                jumps: the values before and after.
 
         Raises:
             ImportError: NumPy is not installed.

@@ -95,7 +95,7 @@ def test_peaks_survive_decimation(client: httpx.Client, address: str, run: dict[
                 {"strategy": strategy, "points": count, "encoding": "base64"} for count in (points, MAX_POINTS)
             )
         )
-        assert len(few["time"]) < points + 150 < len(all_points["time"])
+        assert 0.9 * points < len(few["time"]) <= points < len(all_points["time"])
         assert len({len(values) for values in few.values()}) == 1
         for signal in METRIC_SIGNALS:
             peak, metrics = np.abs(all_points[signal]).max(), entry["metrics"]
@@ -128,7 +128,7 @@ def test_the_bump_alone_keeps_its_peaks(start: float) -> None:
     assert shown[0] <= max(low, places[0])
     assert shown[-1] >= min(high, places[-1])
     inside, kept = (places >= low) & (places <= high), (shown >= low) & (shown <= high)
-    assert len(shown) < 200 < np.count_nonzero(inside)
+    assert 90 < len(shown) <= 100 < np.count_nonzero(inside)
     for key in METRIC_SIGNALS:
         assert np.ptp(whole[ROWS[key], inside]) <= np.ptp(few[ROWS[key]]) * (1 + 1e-6), key
         assert set(few[ROWS[key], kept]) <= set(whole[ROWS[key], inside]), key
@@ -143,21 +143,39 @@ def test_the_bump_alone_keeps_its_peaks(start: float) -> None:
     st.integers(2, 200),
     st.lists(st.floats(0, 400), max_size=3).map(sorted),
 )
-def test_decimation_keeps_ends_and_extremes(rows: np.ndarray, points: int, breaks: list[float]) -> None:
-    """In each stage, wherever the bump is, if there is one; samples that are no number are passed over."""
+def test_decimation_keeps_to_its_points_with_ends_and_extremes(
+    rows: np.ndarray, points: int, breaks: list[float]
+) -> None:
+    """Of the run, and in each stage, wherever the bump is; samples that are no number are passed over."""
     time = np.arange(rows.shape[1], dtype=np.float32)
     series = np.vstack([time, rows])
     ends = [*breaks, float(rows.shape[1])]
     spans = [("bump" if index == 1 else "cruise", *span) for index, span in enumerate(pairwise([0.0, *ends]))]
     few = decimate(series, points, SamplingHints.of(spans))
-    assert few.shape[1] <= max(2, min(series.shape[1], points + 12 + 2 * len(series) * (len(breaks) + 1)))
+    assert min(2, series.shape[1]) <= few.shape[1] <= points
     assert np.all(np.diff(few[0]) > 0)
     indices = few[0].astype(int)
     np.testing.assert_array_equal(few, series[:, indices])
     assert (indices[0], indices[-1]) == (0, series.shape[1] - 1)
-    for start, end in pairwise([0, *breaks, np.inf]):
+    windows = [(0.0, np.inf)] if points >= 4 * len(series) + 4 else []
+    windows += list(pairwise([0, *breaks, np.inf])) if points >= 4 * len(series) * (len(breaks) + 1) + 4 else []
+    for start, end in windows:
         whole, part = (each[:, (start <= each[0]) & (each[0] < end)] for each in (series, few))
         for extreme in (np.fmax, np.fmin):
             np.testing.assert_array_equal(
                 extreme.reduce(part, axis=1, initial=np.nan), extreme.reduce(whole, axis=1, initial=np.nan)
             )
+
+
+@pytest.mark.parametrize("points", [2, 3, 50, 200])
+def test_points_is_the_most_samples_of_every_answer(client: httpx.Client, run: dict[str, Any], points: int) -> None:
+    scenario = client.get(f"/api/v1/runs/{run['id']}").json()["scenario"]
+    body = {"scenario": scenario, "strategies": ["lv"], "points": points}
+    for part in (None, "bump"):
+        live = client.post("/api/v1/live", json={**body, "part": part}).json()["strategies"]["lv"]["series"]
+        assert 2 <= len(unpack(live["time"])) <= points
+    for file_format in ("csv", "json"):
+        query: dict[str, str | int] = {"strategy": "lv", "points": points, "format": file_format}
+        answer = client.get(f"/api/v1/runs/{run['id']}/series", params=query)
+        count = len(answer.json()["series"]["time"]) if file_format == "json" else len(answer.text.splitlines()) - 1
+        assert 2 <= count <= points

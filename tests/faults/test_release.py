@@ -32,6 +32,7 @@ from tests.validation.strategies import some
 
 # Of today's core, not of the one that computed the numbers; a summary's are computed when it is asked for.
 RECOMPUTED = {"current_core_version", "nominal", "stability"}
+SAMPLES = {"series", "distance", "height"}  # which are shown is for each version to choose: pinned ones are held below
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -103,6 +104,8 @@ def test_everything_is_answered_as_before(opened: Opened) -> None:
             now = opened.client.get(f"/api/v1{path}").raise_for_status().json()
             if path.partition("?")[0].endswith("/summary"):  # it names the core of its nominal values, as the next test
                 now["core_version"] = before.get("core_version")
+            if "points=" in path:
+                before, now = ({name: each[name] for name in each.keys() - SAMPLES} for each in (before, now))
             assert not differences(before, now), path
 
 

@@ -13,7 +13,7 @@ TOTAL = 40_000  # samples of all curves: 0.43 MB
 
 
 def thinned(figures: Mapping[str, JsonObject]) -> dict[str, JsonObject]:
-    """Figures whose curves keep their peaks and about `POINTS` samples; fewer where there are many curves."""
+    """Figures whose curves keep their peaks and have at most `POINTS` samples; fewer where there are many curves."""
     curves = sum(len(figure["data"]) for figure in figures.values())
     points = min(POINTS, TOTAL // max(1, curves))
     return {name: _thinned(figure, points) for name, figure in figures.items()}

@@ -16,7 +16,7 @@ import { createTimer, type Timer } from "../lib/timer";
 import { withoutGone } from "../scenario/differences";
 
 /** Samples of a curve in a panel, some 400 px wide; half of a whole drive's lie on the bump. */
-const BUMP_POINTS = 200;
+const BUMP_POINTS = 240;
 const POINTS = 2 * BUMP_POINTS;
 const POINTS_MOST = 2500;
 
