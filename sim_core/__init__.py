@@ -16,9 +16,10 @@ Example:
 # ruff: noqa: F405
 
 from sim_core.arrays import FloatArray
-from sim_core.control.controller import Controller, Report, option, scenario_field
+from sim_core.control.controller import Controller, Report
 from sim_core.control.cost import CostTerms
 from sim_core.control.damping import DampingController, axle_velocities
+from sim_core.control.declared import option, scenario_field
 from sim_core.control.law import LinearLaw
 from sim_core.control.mpc import PredictiveController
 from sim_core.control.regulator import feedforward, regulator

@@ -2,12 +2,14 @@
 
 import inspect
 import re
+from collections.abc import Iterator
 from typing import Self
 
 import numpy as np
 
 from sim_core.catalogue import METRICS
-from sim_core.control.controller import Controller, Force, Option, checked_value, scenario_value
+from sim_core.control.controller import Controller, Force, checked_value, scenario_value
+from sim_core.control.declared import Option, ScenarioField
 from sim_core.control.seen import Seen, Setup
 from sim_core.controller_files import said_by
 from sim_core.errors import ForceError, RidelabError
@@ -92,16 +94,29 @@ def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> li
 def undeclared_reads(scenario: Scenario, controller: type[Controller] | Controller) -> list[str]:
     """Return the scenario's fields that a drive looks at, and that its result is not known to depend on.
 
+    A controller whose preview is a field of the scenario is also driven where that field is none: only there does it
+    show that its code looks ahead all the same.
+
     Raises:
-        RidelabError: The run fails, as in `simulate`.
+        RidelabError: A run fails, as in `simulate`.
     """
     kind = controller if isinstance(controller, type) else type(controller)
+    scenarios = [scenario]
+    if isinstance(kind.declared.get("preview"), ScenarioField):
+        parts = {"mpc": scenario.mpc, "lqr": scenario.lqr}
+        none = {name: part.model_copy(update={"preview": "none"}) for name, part in parts.items()}
+        scenarios.append(scenario.model_copy(update=none))
+    return sorted({name for each in scenarios for name in _undeclared(each, controller, kind)})
+
+
+def _undeclared(scenario: Scenario, controller: type[Controller] | Controller, kind: type[Controller]) -> Iterator[str]:
+    """Yield those that it looks at in one scenario."""
     _, looked_at = accessed(scenario, lambda recording: simulate(recording, controller))
     known: tuple[str, ...] = reads_in(scenario, kind)
     if isinstance(controller, Controller):  # an object may be given another preview than its class has
         plan = resolve_speed_plan(kind, scenario.speed.policy)
         known += dependencies(kind, plan, controller.for_scenario(scenario).preview)
-    return sorted(name for name in looked_at - {"speed.policy"} if not any(is_within(name, each) for each in known))
+    yield from (name for name in looked_at - {"speed.policy"} if not any(is_within(name, each) for each in known))
 
 
 def declaration_faults(kind: type[Controller]) -> list[str]:

@@ -9,9 +9,10 @@ from typing import Any, Literal
 from backend.json_types import JsonObject
 from sim_core import Controller, DampingController, EcuController, LinearLaw, PredictiveController, SpeedPlan
 from sim_core.check_controller import declaration_faults
-from sim_core.control.controller import Option, ScenarioField, option_fields
+from sim_core.control.controller import option_fields
+from sim_core.control.declared import Option, ScenarioField
 from sim_core.controller_files import ControllerCodeError
-from sim_core.strategies.reads import effective_preview
+from sim_core.strategies.reads import effective_preview, is_set_by_field
 
 LONGEST_LABEL = 80
 _BASES: dict[str, type[Controller]] = {  # the first that it derives from says what its runs cost
@@ -33,7 +34,7 @@ class Description:
         actuated: Whether it has actuators.
         delayed: Whether its commands take effect later.
         linear: Whether it says a linear law.
-        fixed: Of what it sees of the road ahead, what is no field; where its code decides that, what reads most.
+        fixed: Of what it sees of the road ahead, what no field says; where its code decides that, what reads most.
         declared: Its options and scenario fields by name.
         options: JSON Schema of each option.
         files: Further files that it reads.
@@ -78,7 +79,7 @@ def described(controller: type[Controller]) -> Description:
         actuated=bool(controller.actuated),
         delayed=bool(controller.delayed),
         linear=controller.linear_law is not Controller.linear_law,
-        fixed={name: value for name, value in fixed.items() if name not in controller.declared},
+        fixed={name: value for name, value in fixed.items() if not is_set_by_field(controller, name)},
         declared=dict(controller.declared),
         options={name: _schema(controller, name, each) for name, each in controller.options().items()},
         files=tuple(controller.files),
@@ -110,11 +111,23 @@ def stand_in(description: Description) -> type[Controller]:
         **{name: getattr(description, name) for name in ("id", "label", "speed_plan", "actuated", "delayed", "files")},
         **description.fixed,
         **description.declared,
+        "__init__": _assigning(description, base),
         "file_digest": description.digest,
     }
     if description.linear and base.linear_law is Controller.linear_law:
         members["linear_law"] = _linear_law
     return type(description.id, (base,), members)
+
+
+def _assigning(description: Description, base: type[Controller]) -> Any:
+    """Return an `__init__` that assigns to a declared field what the controller's own code does."""
+
+    def __init__(self: Controller, **values: Any) -> None:  # noqa: N807 - it becomes a class's
+        base.__init__(self, **values)
+        for name in description.fixed.keys() & description.declared.keys():
+            setattr(self, name, description.fixed[name])
+
+    return __init__
 
 
 def _linear_law(_controller: Controller, _stage: str) -> LinearLaw | None:

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from pydantic import Field, TypeAdapter
 
 from sim_core.arrays import FloatArray
+from sim_core.control.declared import DeclaredFields, Option, ScenarioField, own_values
 from sim_core.control.law import LinearLaw
 from sim_core.control.plan import Plan
 from sim_core.control.seen import Seen, Setup
@@ -34,61 +35,6 @@ from sim_core.vehicle.model import SemiActiveDampers
 
 Force = Sequence[float] | NDArray[np.float64]
 _DEFAULTS = Scenario()
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ScenarioField:
-    """A controller's field whose value is that of a scenario's field, by its dotted name."""
-
-    name: str
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Option:
-    """A controller's own field: its default, unit, bounds and help."""
-
-    default: Any
-    unit: str
-    ge: float | None
-    le: float | None
-    help: str
-
-
-def scenario_field(name: str) -> Any:
-    """A field of a controller that takes its value from the scenario.
-
-    Args:
-        name: Dotted name of the scenario's field, such as `mpc.force_weight`, or of a whole part.
-
-    Example:
-        >>> from sim_core import Controller, Scenario, scenario_field
-        >>> class Weighed(Controller):
-        ...     force_weight: float = scenario_field("mpc.force_weight")
-        >>> heavier = Scenario.model_validate({"mpc": {"force_weight": 2e-9}})
-        >>> Weighed().for_scenario(heavier).force_weight
-        2e-09
-    """
-    return ScenarioField(name=name)
-
-
-def option(default: Any, *, unit: str = "1", ge: float | None = None, le: float | None = None, help: str = "") -> Any:  # noqa: A002 - what it is to whoever sets it
-    """A field of a controller that is its own.
-
-    Args:
-        default: Its value where nobody gives one.
-        unit: Of a number; `1` for none.
-        ge: Smallest value.
-        le: Largest value.
-        help: One sentence for whoever sets it.
-
-    Example:
-        >>> from sim_core import Controller, option
-        >>> class BodyDamper(Controller):
-        ...     damping: float = option(2000.0, unit="N s/m", ge=0, le=20_000, help="Force per body velocity.")
-        >>> BodyDamper().damping, BodyDamper(damping=500.0).damping
-        (2000.0, 500.0)
-    """
-    return Option(default=default, unit=unit, ge=ge, le=le, help=help)
 
 
 @dataclass(slots=True)
@@ -123,16 +69,6 @@ class Report:
     limited_steps: int = 0
     most_iterations: int | None = None
     clipped_values: int | None = None
-
-
-class _Declared:
-    """The fields that a class declares, as it is now; one that a subclass replaces by a plain value is none of them."""
-
-    def __get__(self, _: object, kind: type["Controller"]) -> Mapping[str, ScenarioField | Option]:
-        members: dict[str, Any] = {}
-        for each in reversed(kind.__mro__):
-            members.update(vars(each))
-        return {name: value for name, value in members.items() if type(value) in (ScenarioField, Option)}
 
 
 class Controller:
@@ -180,7 +116,7 @@ class Controller:
     preview: Preview = "none"
     prediction_horizon: int = 0
     report: Report
-    declared = _Declared()
+    declared = DeclaredFields()
     files: ClassVar[Sequence[str]] = ()
     file_digest: ClassVar[str | None] = None
 
@@ -217,7 +153,10 @@ class Controller:
         """
         ready = copy(self)
         ready.report = Report()
-        ready._own_values = vars(self).get("_own_values", {}) | self._assigned()
+        given, declared = own_values(self), self.declared
+        ready._own_values = {
+            name: checked_value(type(self), name, value) for name, value in given.items() if name in declared
+        }
         ready._set(scenario)
         return ready
 
@@ -289,26 +228,19 @@ class Controller:
         for name in options:
             if not isinstance(declared.get(name), Option):
                 raise RefusedError(f"{self.label} has no such option", field=option_name(type(self), name))
-        self._as_set = {name: field_value(self, name, field, scenario) for name, field in declared.items()}
-        for name, value in self._as_set.items():
-            setattr(self, name, checked_value(type(self), name, value) if name in options else value)
+        for name, field in declared.items():
+            value = self._field_value(name, field, scenario)
+            checked = checked_value(type(self), name, value) if name in options else value
+            vars(self)[name] = checked  # not by assigning, which would make it the object's own
 
-    def _assigned(self) -> dict[str, Any]:
-        """Return the fields that were assigned since they were set, such as by `controller.damping = 500.0`."""
-        as_set, unset = vars(self).get("_as_set", {}), object()
-        values = {name: vars(self)[name] for name in self.declared if name in vars(self)}
-        changed = {name: value for name, value in values.items() if value is not as_set.get(name, unset)}
-        return {name: checked_value(type(self), name, value) for name, value in changed.items()}
-
-
-def field_value(controller: Controller, name: str, field: ScenarioField | Option, scenario: Scenario) -> Any:
-    """Return the value, not checked, that one of a controller's `declared` fields has in a run of a scenario."""
-    own_values = vars(controller).get("_own_values", {})  # none where a subclass's __init__ does not call this one's
-    if name in own_values:
-        return own_values[name]
-    if isinstance(field, ScenarioField):
-        return scenario_value(scenario, field.name)
-    return scenario.own.of(controller.id).get(name, field.default)
+    def _field_value(self, name: str, field: ScenarioField | Option, scenario: Scenario) -> Any:
+        """Return the value, not checked, that one of its declared fields has in a run of a scenario."""
+        given = own_values(self)
+        if name in given:
+            return given[name]
+        if isinstance(field, ScenarioField):
+            return scenario_value(scenario, field.name)
+        return scenario.own.of(self.id).get(name, field.default)
 
 
 def law_force(law: LinearLaw, seen: Seen) -> FloatArray:

@@ -5,7 +5,8 @@ from math import inf
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.control.controller import Controller, scenario_field, undefined
+from sim_core.control.controller import Controller, undefined
+from sim_core.control.declared import scenario_field
 from sim_core.control.law import LinearLaw
 from sim_core.control.seen import Setup
 from sim_core.vehicle.half_car import FORCES, STATES

@@ -3,7 +3,8 @@
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.control.controller import Controller, scenario_field, undefined
+from sim_core.control.controller import Controller, undefined
+from sim_core.control.declared import scenario_field
 from sim_core.control.law import LinearLaw
 from sim_core.control.mpc_design import MpcDesign, design
 from sim_core.control.mpc_plan import make_plan

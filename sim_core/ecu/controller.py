@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
-from sim_core.control.controller import scenario_field
 from sim_core.control.cost import KILO
+from sim_core.control.declared import scenario_field
 from sim_core.control.law import LinearLaw
 from sim_core.control.mpc import PredictiveController
 from sim_core.control.mpc_plan import make_plan

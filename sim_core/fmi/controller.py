@@ -13,7 +13,8 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import STAGES
-from sim_core.control.controller import Controller, option, scenario_field
+from sim_core.control.controller import Controller
+from sim_core.control.declared import option, scenario_field
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RefusedError
 from sim_core.fmi.archive import unpack

@@ -10,10 +10,11 @@ from functools import cache
 from itertools import chain, product
 from typing import Any, get_args
 
-from sim_core.control.controller import Controller, ScenarioField, option_name
+from sim_core.control.controller import Controller, option_name
+from sim_core.control.declared import ScenarioField
 from sim_core.scenario import Speed, dotted
 from sim_core.strategies import STRATEGIES, reads, resolve_speed_plan
-from sim_core.strategies.reads import PREVIEW, READS_MOST, by_parts, decides_by_code, effective_preview
+from sim_core.strategies.reads import PREVIEW, READS_MOST, by_parts, effective_preview, is_set_by_field
 
 _POLICY = "speed.policy"
 _POLICIES = get_args(Speed.model_fields["policy"].annotation)
@@ -174,9 +175,9 @@ def _filtered(strategy: type[Controller]) -> Alternatives:
 
 def _previews(strategy: type[Controller], *modes: str) -> Alternatives:
     """That the strategy's preview is one of these, by the field or option that it is, or by its class."""
-    declared = strategy.declared.get("preview")
-    if declared is None or decides_by_code(strategy):
+    if not is_set_by_field(strategy, "preview"):
         return _ALWAYS if effective_preview(strategy) in modes else _NEVER
+    declared = strategy.declared["preview"]
     return _is(declared.name if isinstance(declared, ScenarioField) else option_name(strategy, "preview"), *modes)
 
 

@@ -4,12 +4,15 @@ What a drive looks at can be recorded (`sim_core.scenario.access`); `check_contr
 """
 
 import inspect
+from contextlib import suppress
 from functools import cache
 from typing import Any
 
 from pydantic import BaseModel
 
-from sim_core.control.controller import Controller, ScenarioField, field_value
+from sim_core.control.controller import Controller
+from sim_core.control.declared import ScenarioField, own_values
+from sim_core.errors import RidelabError
 from sim_core.scenario import Preview, Scenario
 from sim_core.scenario.dotted import OWN
 from sim_core.speed.profile import SpeedPlan
@@ -62,10 +65,12 @@ def effective_preview(strategy: type[Controller], scenario: Scenario | None = No
     """
     if decides_by_code(strategy):
         return READS_MOST
-    made = strategy()
-    preview: Any = made.preview
-    if (field := strategy.declared.get("preview")) is not None:
-        preview = READS_MOST if scenario is None else field_value(made, "preview", field, scenario)
+    preview: Any = READS_MOST
+    if not is_set_by_field(strategy, "preview"):
+        preview = strategy().preview
+    elif scenario is not None:
+        with suppress(RidelabError):  # what it refuses has a key, too: its failure is stored
+            preview = strategy().for_scenario(scenario).preview
     return preview if preview in PREVIEW else READS_MOST
 
 
@@ -73,6 +78,12 @@ def decides_by_code(strategy: type[Controller]) -> bool:
     """Check whether a strategy's own code may give it another preview in each run, which no field says."""
     is_property = hasattr(inspect.getattr_static(strategy, "preview"), "__get__")
     return is_property or strategy.for_scenario is not Controller.for_scenario
+
+
+def is_set_by_field(strategy: type[Controller], name: str) -> bool:
+    """Check whether a declared field says a run's value: neither an object's `__init__` nor code in each run does."""
+    by_code = name == "preview" and decides_by_code(strategy)
+    return name in strategy.declared and not by_code and name not in own_values(strategy())
 
 
 def dependencies(strategy: type[Controller], plan: SpeedPlan, preview: Preview) -> tuple[str, ...]:

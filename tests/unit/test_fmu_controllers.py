@@ -12,7 +12,7 @@ from backend.fmu.archive import fmu
 from backend.fmu.description import Version
 from backend.own.description import described, stand_in
 from sim_core import Controller, RidelabError, Scenario, StrategyResult, check_controller, load_controllers, simulate
-from sim_core.control.controller import Option
+from sim_core.control.declared import Option
 from sim_core.fmi import archive
 from sim_core.strategies import STRATEGIES, reads
 

@@ -1,5 +1,7 @@
 """A controller of one's own that looks ahead is known so by its key, however its class says that it does."""
 
+import sys
+
 import pytest
 
 from backend.cost.binding_limits import LimitShares
@@ -7,8 +9,9 @@ from backend.cost.estimate import work
 from backend.own.description import described, stand_in
 from sim_core import Controller, check_controller, load_controllers, simulate
 from sim_core.scenario import Bump, Estimation, Lqr, Mpc, Road, Scenario, dotted
-from sim_core.strategies import reads, values_read
-from sim_core.strategies.reads import is_within
+from sim_core.strategies import reads, resolve_speed_plan, values_read
+from sim_core.strategies.effects import conditional_reads
+from sim_core.strategies.reads import dependencies, is_within
 
 BASE = Scenario(
     road=Road(length=34, bump=Bump(start=20, width=3)),
@@ -65,6 +68,25 @@ class Scenarios(Looks):
     preview = scenario_field("lqr.preview")
     prediction_horizon = scenario_field("lqr.preview_horizon")
 
+class Overruled(Looks):
+    "Declares the scenario's, and its objects overrule it."
+    id, label = "overruled", "Overruled"
+    preview = scenario_field("mpc.preview")
+    prediction_horizon = 20
+    def __init__(self, **values):
+        super().__init__(**values)
+        self.preview = "lookahead"
+
+class Overridden(Looks):
+    "Declares the scenario's, and each run overrules it."
+    id, label = "overridden", "Overridden"
+    preview = scenario_field("mpc.preview")
+    prediction_horizon = 20
+    def for_scenario(self, scenario):
+        ready = super().for_scenario(scenario)
+        ready.preview = "lookahead"
+        return ready
+
 class Horizon(PredictiveController):
     "Is an MPC that always looks ahead."
     id, label = "horizon", "Horizon"
@@ -91,7 +113,10 @@ def own_ways(tmp_path_factory: pytest.TempPathFactory) -> dict[str, type[Control
     return load_controllers(file)
 
 
-@pytest.mark.parametrize("way", ["plain", "made", "computed", "late", "optional", "scenarios", "horizon"])
+@pytest.mark.parametrize(
+    "way",
+    ["plain", "made", "computed", "late", "optional", "scenarios", "overruled", "overridden", "horizon"],
+)
 def test_who_looks_ahead_has_the_sensors_errors_in_its_key_however_it_says_so(
     own_ways: dict[str, type[Controller]], way: str
 ) -> None:
@@ -107,6 +132,29 @@ def test_who_looks_ahead_has_the_sensors_errors_in_its_key_however_it_says_so(
         assert results[-1] not in results[:-1], name
         assert all(values_read(changed, each) != key for each, key in zip(known, keys, strict=True)), name
         assert all(any(is_within(name, part) for part in reads(each)) for each in known)
+        assert way == "optional" or all(_is_said_to_count(each, name) for each in known), name
+
+
+def _is_said_to_count(kind: type[Controller], name: str) -> bool:
+    """Check whether a field has an effect in the base scenario by the conditions of its reading."""
+    groups = [each for each in conditional_reads(kind) if any(is_within(name, part) for part in each.fields)]
+    plain = BASE.model_dump(mode="json")
+    return any(all(condition.holds(plain) for condition in each.conditions) for each in groups)
+
+
+def test_the_check_drives_without_preview_a_controller_that_declares_one(
+    own_ways: dict[str, type[Controller]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In a scenario that looks ahead itself a key that forgets what the code assigns has all that is read."""
+    ahead = BASE.model_copy(update={"mpc": Mpc(preview="lookahead")})
+    monkeypatch.setattr(sys.modules[check_controller.__module__], "reads_in", forgetful)
+    said = check_controller(own_ways["overruled"], ahead)
+    assert any("mismatch.preview_gain" in each for each in said)
+
+
+def forgetful(scenario: Scenario, kind: type[Controller]) -> tuple[str, ...]:
+    """Return what is read by a class whose objects assigned nothing."""
+    return dependencies(kind, resolve_speed_plan(kind, scenario.speed.policy), scenario.mpc.preview)
 
 
 def test_whether_a_run_is_too_expensive_follows_from_what_its_key_has(own_ways: dict[str, type[Controller]]) -> None:
