@@ -7,6 +7,7 @@ that whoever names it trusts.
 
 import hashlib
 import inspect
+import json
 import os
 import sys
 import traceback
@@ -52,6 +53,8 @@ CODE_ERRORS = (
     TypeError,
     ValueError,
 )
+# These are ValueErrors, but of what is decoded: a file that is damaged on one machine.
+_DECODING_ERRORS = (UnicodeError, json.JSONDecodeError)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -275,8 +278,14 @@ def file_error(error: BaseException, path: Path | str) -> ControllerFileError:
     causes = [error]
     while (earlier := causes[-1].__cause__ or causes[-1].__context__) is not None:
         causes.append(earlier)
-    of_code = all(isinstance(each, CODE_ERRORS) for each in causes)
-    return (ControllerCodeError if of_code else ControllerFileError)(said_by(error, path))
+    return (ControllerCodeError if all(map(_is_of_code, causes)) else ControllerFileError)(said_by(error, path))
+
+
+def _is_of_code(error: BaseException) -> bool:
+    """Check whether code raises an error alike on every machine: not for what it lacks in a file or in `os.environ`."""
+    frames = [frame for frame, _ in traceback.walk_tb(error.__traceback__)]
+    of_environment = isinstance(error, KeyError) and frames[-1:] and frames[-1].f_globals is vars(os)
+    return isinstance(error, CODE_ERRORS) and not (of_environment or isinstance(error, _DECODING_ERRORS))
 
 
 def said_by(error: BaseException, path: Path | str) -> str:

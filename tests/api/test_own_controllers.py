@@ -60,6 +60,9 @@ BROKEN = {
     "changes": "seen.state[0] = 1.0; return 0.0, 0.0",
     "memory": "import numpy; return numpy.ones(2**30), 0.0",
     "deep": "return self.force(seen)",
+    "environment": "import os; return float(os.environ['RIDELAB_NO_SUCH_VARIABLE']), 0.0",
+    "damaged": "return float(b'\\xff'.decode()), 0.0",
+    "damaged_json": "import json; return json.loads('{'), 0.0",
 }
 
 
@@ -257,6 +260,11 @@ def test_a_law_that_fails_costs_its_own_column_and_is_told_with_its_line(service
         "(it changes what it was given: copy it first)",
         "memory": reasons["memory"],
         "deep": f"broken.py, line {line['deep']}: RecursionError: maximum recursion depth exceeded",
+        "environment": f"broken.py, line {line['environment']}: KeyError: 'RIDELAB_NO_SUCH_VARIABLE'",
+        "damaged": f"broken.py, line {line['damaged']}: UnicodeDecodeError: 'utf-8' codec can't decode byte 0xff in "
+        "position 0: invalid start byte",
+        "damaged_json": f"broken.py, line {line['damaged_json']}: JSONDecodeError: Expecting property name enclosed in "
+        "double quotes: line 1 column 2 (char 1)",
     }
     assert f"broken.py, line {line['memory']}: " in reasons["memory"]
     assert "MemoryError: Unable to allocate 8.00 GiB" in reasons["memory"]
