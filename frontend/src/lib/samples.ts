@@ -14,16 +14,20 @@ function firstAtOrAfter(samples: Numbers, x: number): number {
   return low;
 }
 
-/** Linear interpolation of `values` over ascending `samples`; `null` outside them. */
+function finite(value: number | null): number | null {
+  return Number.isFinite(value) ? value : null;
+}
+
+/** Linear interpolation of `values` over ascending `samples`; `null` outside them, and where a value is missing (NaN). */
 export function valueAt(samples: Numbers, values: Numbers, x: number): number | null {
   const first = samples[0];
   const last = samples.at(-1);
   if (first === undefined || last === undefined || x < first || x > last) return null;
   const right = firstAtOrAfter(samples, x);
   const [x1, y1] = [samples[right] ?? last, values[right] ?? null];
-  if (right === 0 || y1 === null) return y1;
+  if (right === 0 || x === x1 || y1 === null) return finite(y1);
   const [x0, y0] = [samples[right - 1] ?? x1, values[right - 1] ?? y1];
-  return x1 === x0 ? y1 : y0 + ((y1 - y0) * (x - x0)) / (x1 - x0);
+  return finite(y0 + ((y1 - y0) * (x - x0)) / (x1 - x0));
 }
 
 /** Half-open index range that covers [low, high] and one sample more on either side. */

@@ -22,6 +22,12 @@ describe("samples", () => {
     expect(valueAt(new Float32Array(), new Float32Array(), 0)).toBeNull();
   });
 
+  it("have no value where a recorded drive lacks the signal or has a gap", () => {
+    expect(valueAt(X, new Float32Array(5).fill(NaN), 2)).toBeNull();
+    const gap = new Float32Array([NaN, 1, NaN, 3, 4]);
+    expect([0, 0.5, 1, 1.5, 2, 3.5].map((x) => valueAt(X, gap, x))).toEqual([null, null, 1, null, null, 3.5]);
+  });
+
   it("are cut with one neighbour on each side", () => {
     expect(covering(X, 1.5, 2.5)).toEqual([1, 4]);
     expect(covering(X, -5, 9)).toEqual([0, 5]);
