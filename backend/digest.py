@@ -16,7 +16,7 @@ from sim_core.check_controller import ID
 from sim_core.program import program
 from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import NAME_PATTERN, recording_id
-from sim_core.strategies import STRATEGIES, strategy_named, values_read
+from sim_core.strategies import REFERENCE_STRATEGIES, STRATEGIES, strategy_named, values_read
 
 STRATEGY_PATTERN = f"{ID}|{NAME_PATTERN}"  # of a strategy's name in a run: simulated, or a recording
 RUN_ID_LENGTH = 22  # base64url characters: 132 bits of SHA-256
@@ -86,7 +86,7 @@ def run_id(scenario: Scenario, strategies: Iterable[str], roads: int = 1, baseli
 
 def _program(strategies: Iterable[str]) -> JsonObject:
     """What computes these strategies, all together."""
-    computed = {each for name in strategies for each in (STRATEGIES if recording_id(name) else (name,))}
+    computed = {each for name in strategies for each in (REFERENCE_STRATEGIES if recording_id(name) else (name,))}
     programs = {name: program(strategy_named(name)) for name in sorted(computed)}
     common = {key: value for each in programs.values() for key, value in each.items() if key != "controller"}
     return {**common, "controllers": {name: each["controller"] for name, each in programs.items()}}

@@ -1,10 +1,11 @@
 """`simulate` as the service does it: only what is affordable, with room made for what is large."""
 
 from backend.compute.processes import trim_memory
-from backend.cost.estimate import check_affordable
+from backend.cost.estimate import check_affordable, references
 from backend.own import isolated
 from sim_core import Scenario, StrategyResult
 from sim_core.caching import SHARED
+from sim_core.errors import TooExpensiveError
 from sim_core.scenario.recorded import recording_id
 from sim_core.simulate import simulate as simulate_core
 
@@ -21,8 +22,19 @@ def simulate(scenario: Scenario, name: str) -> StrategyResult:
     if (recording := recording_id(name)) is not None:
         from sim_core.recorded.result import recorded_result  # takes scipy, which few runs need
 
-        return recorded_result(scenario, scenario.recording(recording), simulate)
+        return recorded_result(scenario, scenario.recording(recording), _reference)
     return isolated(name, _simulate, scenario, name)
+
+
+def _reference(scenario: Scenario, name: str) -> StrategyResult:
+    """Drive what a recording is compared with.
+
+    Raises:
+        TooExpensiveError: It costs more than one such drive may.
+    """
+    if name not in references(scenario):
+        raise TooExpensiveError("A drive that a recording is compared with costs too much")
+    return simulate(scenario, name)
 
 
 def _simulate(scenario: Scenario, name: str) -> StrategyResult:

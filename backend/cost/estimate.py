@@ -1,14 +1,17 @@
 """What a run costs, estimated from the scenario alone; and the limit on what one run may cost.
 
 Seconds are those of one core of the machine on which `python -m benchmarks.cost_fit` was run last. A run's own limits
-count its work and not its time, so that whether it is too expensive depends on the scenario alone, and on no fit.
+count its work and not its time, so that whether it is too expensive depends on the scenario alone, and on no fit. With
+which simulated drives a recording is compared does depend on it, and its notes name those left out.
 """
 
 from collections.abc import Iterable, Mapping
 from math import atan, exp, log, sqrt
 
+import numpy as np
+
 from backend.cost.binding_limits import LimitShares, expected_limits
-from sim_core import STRATEGIES, Actuator, Controller, DampingController, EcuController, PredictiveController, Scenario
+from sim_core import Actuator, Controller, DampingController, EcuController, PredictiveController, Scenario
 from sim_core.control.qp import osqp_effort
 from sim_core.errors import TooExpensiveError
 from sim_core.loop.excitation import StepSizes, longest_fine_step, step_sizes
@@ -16,17 +19,19 @@ from sim_core.loop.run import run_dampers
 from sim_core.scenario.recorded import recording_id
 from sim_core.speed.brake import BrakeChain
 from sim_core.speed.profile import SPEED_CONTROL_PERIOD, TARGET_BAND, make_speed_profile
-from sim_core.strategies import speed_plan_on, strategy_named
+from sim_core.strategies import REFERENCE_STRATEGIES, speed_plan_on, strategy_named
 from sim_core.vehicle.make import is_linear
 from sim_core.vehicle.nonlinear import substeps
 
-RECORDED = 1.0  # to read a recording and find its place [s of one core]
+MAX_REFERENCE_COST = 3.0  # of one drive that a recording is compared with [s of one core]
+# To read a recording of all signals and find its position on roads of these lengths [m] [s of one core].
+PLACING = (0.0, 150.0, 500.0, 1000.0, 3000.0), (0.1, 0.8, 3.0, 5.0, 7.0)
 CACHED_STEPS = 3e5  # of a run: so many fine steps' arrays fit into the processor's cache
 MAX_BYTES = 4.2e8  # of one run's arrays; whoever changes this or `memory` changes which scenarios have a result
 MAX_OPERATIONS = 3.3e11  # of one run's steps: some 30 s; its QPs have a limit of their own, `control.qp.MAX_EFFORT`
 
 # Multiply-adds that a unit of `work` counts as in that limit. They decide which scenarios have a result: whoever
-# changes one raises the core's version. `SECONDS` may be fitted anew at any time and change nothing here.
+# changes one raises the core's version. `SECONDS` may be fitted anew at any time and change no run.
 OPERATIONS: Mapping[str, float] = {
     "plan": 1.3e7,
     "design": 3.4e7,
@@ -84,11 +89,16 @@ def estimate(scenario: Scenario, name: str) -> float:
         UnknownNameError: No such strategy.
     """
     if recording_id(name) is not None:
-        return RECORDED + sum(estimate(scenario, each) for each in STRATEGIES)
+        return float(np.interp(scenario.road.length, *PLACING)) + cost_of(scenario, references(scenario))
     strategy = strategy_named(name)
     time = expected_time(scenario, strategy)
     counts = work(scenario, strategy, time, expected_limits(scenario, strategy, time))
     return sum(SECONDS[unit] * count for unit, count in counts.items())
+
+
+def references(scenario: Scenario) -> tuple[str, ...]:
+    """Return the strategies whose drives a recording is compared with: those that are not too expensive."""
+    return tuple(name for name in REFERENCE_STRATEGIES if estimate(scenario, name) <= MAX_REFERENCE_COST)
 
 
 def costs_of(scenario: Scenario, strategies: Iterable[str]) -> dict[str, float]:

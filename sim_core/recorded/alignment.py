@@ -188,7 +188,11 @@ def _first_search(
     most = ceil((1 + MOST_SCALED) * own / chance.spacing) + 2
     wholes = {name: _Whole(*reference, most, chance) for name, reference in references.items()}
     shared = min(own, *(float(np.ptp(position)) for position, _ in references.values()))
-    steps = min(MOST_SCALES, ceil(MOST_SCALED * shared / (4 * SHIFTED)))
+    informative = min(
+        chance.telling(*evenly(position, simulated, chance.spacing)) for position, simulated in references.values()
+    )
+    # What is short says nothing of the scale: the refinement takes 1, and so does this search.
+    steps = 0 if informative < SCALED_FROM else min(MOST_SCALES, ceil(MOST_SCALED * shared / (4 * SHIFTED)))
     memory = chance.memory(chance.equalised(evenly(distance, recorded, chance.spacing)[1]))
     for scale in (1 + np.linspace(-MOST_SCALED, MOST_SCALED, 2 * steps + 1)).tolist():
         even, rows = evenly(scale * distance, recorded, chance.spacing)

@@ -8,13 +8,13 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS, SIGNALS
-from sim_core.errors import RefusedError
+from sim_core.errors import RefusedError, TooExpensiveError
 from sim_core.recorded.alignment import Placement, Reference, Signs, correlations, evenly, place
 from sim_core.recorded.track import Track
 from sim_core.recorded.tyre_peaks import on_this_road
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
-from sim_core.strategies import STRATEGIES
+from sim_core.strategies import REFERENCE_STRATEGIES, STRATEGIES
 
 PLACED_BY = METRIC_SIGNALS[:6]  # not by the forces, in which laws differ most
 OPPOSITE = -0.5  # correlation of a signal whose sign may be the other way round
@@ -60,14 +60,14 @@ def placed(
     """
     keys = [key for key in PLACED_BY if key in signals and np.nanmax(signals[key]) > np.nanmin(signals[key])]
     rows = np.array([signals[key] for key in keys])
-    references = _references(drives, keys) if keys else {}
+    references, left_out = _references(drives, keys) if keys else ({}, [])
     placement = None
     if references and all(on_this_road(scenario, signals, track.distance)):
         placement = _as_it_says(track.distance, rows, references)
     elif references:
         placement = place(track.distance, rows, references, _signs(keys), smooth=scenario.road.is_smooth)
     if placement is None:
-        unplaced = _UNPLACED, *_on_its_bump(scenario, track.distance, rows, references, _signs(keys))
+        unplaced = _UNPLACED, *left_out, *_on_its_bump(scenario, track.distance, rows, references, _signs(keys))
         return Placed(placement=None, position=track.distance, turned=(), notes=unplaced)
     position = placement.offset + placement.scale * track.distance
     likest = f"{STRATEGIES[placement.reference].label} (correlation {placement.likeness:.2f})"
@@ -85,7 +85,7 @@ def placed(
         for key, value in zip(keys, there, strict=True)
         if value < OPPOSITE
     ]
-    return Placed(placement=placement, position=position, turned=turned, notes=tuple(notes))
+    return Placed(placement=placement, position=position, turned=turned, notes=(*notes, *left_out))
 
 
 def _on_its_bump(
@@ -109,19 +109,23 @@ def _on_its_bump(
     ]
 
 
-def _references(drives: Callable[[str], StrategyResult], keys: Sequence[str]) -> dict[str, Reference]:
-    """Position and those signals of each strategy's drive."""
-    references = {}
-    for name in STRATEGIES:
+def _references(drives: Callable[[str], StrategyResult], keys: Sequence[str]) -> tuple[dict[str, Reference], list[str]]:
+    """Return position and those signals of each strategy's drive, and which were left out as too expensive."""
+    references, left_out = {}, []
+    for name in REFERENCE_STRATEGIES:
         try:
             series = drives(name).series
-        except RefusedError:  # of a car that this law cannot hold
+        except TooExpensiveError:
+            left_out.append(STRATEGIES[name].label)
+            continue
+        except RefusedError:  # of a car that this controller cannot hold
             continue
         count = len(series["time"]) + len(series.jumps)
         every = slice(None, None, 1 + count // MOST_SAMPLES)
         position, *rows = (series.with_jumps(key, 0, count)[every] for key in ("position", *keys))
         references[name] = position, np.array(rows)
-    return references
+    names = ", ".join(left_out)
+    return references, [f"Not compared with {names}: simulating that on this road costs too much"] if names else []
 
 
 def _as_it_says(distance: FloatArray, rows: FloatArray, references: Mapping[str, Reference]) -> Placement:

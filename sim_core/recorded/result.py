@@ -41,7 +41,7 @@ def recorded_result(
     Args:
         scenario: Whose road, car and windows; its measured road's heights with it.
         drive: The recording.
-        drives: Simulates what it may be like.
+        drives: Simulates what it may be like; a drive that raises TooExpensiveError is left out, and a note says so.
 
     Raises:
         RidelabError: It has no part of the scenario's road.

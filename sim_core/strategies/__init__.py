@@ -26,6 +26,8 @@ STRATEGIES: dict[str, type[Controller]] = {
     strategy.id: strategy
     for strategy in (Lv, LvHil, Lqr, Skyhook, Groundhook, Hybrid, SuspensionOnly, SpeedOnly, Passive)
 }
+# A recording is compared with drives of these. Delayed ones are slow to simulate, and add no controller of their own.
+REFERENCE_STRATEGIES = tuple(name for name, strategy in STRATEGIES.items() if not strategy.delayed)
 
 
 def strategies() -> dict[str, type[Controller]]:

@@ -19,13 +19,24 @@ from backend.controller import program, realtime, report
 from backend.cost import affordable
 from backend.cost import estimate as cost
 from backend.cost.binding_limits import LimitShares, expected_limits
-from backend.cost.estimate import SECONDS, check_affordable, duration, estimate, expected_time, memory, work
+from backend.cost.estimate import (
+    SECONDS,
+    check_affordable,
+    cost_of,
+    duration,
+    estimate,
+    expected_time,
+    memory,
+    references,
+    work,
+)
 from backend.job_run import JobRun
 from backend.runs import bands, compute_run, exports, pins
 from sim_core import STRATEGIES, PredictiveController, simulate
 from sim_core.control import qp
 from sim_core.errors import TooExpensiveError
 from sim_core.scenario import SCHEMA_VERSION, Actuator, Brake, Bump, Estimation, Mpc, Road, Scenario, Speed, Vehicle
+from sim_core.strategies import REFERENCE_STRATEGIES
 from tests.results import event
 
 AT_LIMITS = Scenario(road=Road(bump=Bump(height=0.14)), mpc=Mpc(solver="osqp", deflection_limit=0.03, force_limit=1500))
@@ -122,6 +133,20 @@ def test_estimate_grows_with_what_costs() -> None:
     assert estimate(Scenario(mpc=Mpc(solver="osqp")), "lv") > 3 * plain
     assert estimate(AT_LIMITS, "lv") > 3 * estimate(Scenario(mpc=Mpc(solver="osqp")), "lv")
     assert estimate(Scenario(), "passive") < plain
+
+
+def test_a_recording_leaves_room_for_other_strategies_whatever_its_controllers_cost() -> None:
+    """On the longest road, in the shortest steps, with the longest horizons; the ECU's drive is no reference."""
+    most = Mpc(prediction_horizon=100, control_horizon=10, sample_time=0.002)
+    long, short = Scenario(road=Road(length=3000), mpc=most), Scenario()
+    hard = AT_LIMITS.model_copy(update={"road": Road(length=3000)})
+    recorded = f"recording:{'A' * 22}"
+    assert estimate(short, recorded) < 1.2
+    assert estimate(long, recorded) < 20
+    assert estimate(long, recorded) - cost_of(long, references(long)) > 5 * estimate(short, recorded)
+    assert references(short) == REFERENCE_STRATEGIES
+    assert "lv_hil" not in REFERENCE_STRATEGIES
+    assert set(REFERENCE_STRATEGIES) - set(references(hard)) == {"lv", "suspension_only"}
 
 
 def test_a_weight_beyond_its_slider_makes_osqp_no_cheaper_than_the_slider_end() -> None:

@@ -9,6 +9,7 @@ import pytest
 from sim_core import STRATEGIES, Bump, Mismatch, RidelabError, Road, Scenario, Speed, StrategyResult, Vehicle, simulate
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, SIGNALS
+from sim_core.errors import TooExpensiveError
 from sim_core.recorded.alignment import MOST_SCALED, correlations, place
 from sim_core.recorded.result import recorded_result
 from sim_core.recorded.zeros import GRAVITY
@@ -206,9 +207,27 @@ def test_drives_of_this_road_are_placed(strategy: str, drift: float, changes: di
 def test_a_drive_is_placed_against_the_strategy_that_it_is_likest() -> None:
     for strategy in ("lv", "skyhook", "suspension_only"):
         found = there(recorded_result(SCENARIO, recording(SCENARIO, strategy), simulated).recording)
-        reference = there(found.reference)
-        assert reference.removesuffix("_hil") == strategy, "the ECU drives LV's law"
-        assert STRATEGIES[reference].label in " ".join(found.notes)
+        assert found.reference == strategy
+        assert STRATEGIES[strategy].label in " ".join(found.notes)
+
+
+def test_a_drive_that_costs_too_much_is_not_compared_with_and_named() -> None:
+    """The drive is placed against what remains; the ECU drives LV's controller and is never asked for."""
+    asked = set()
+
+    def affordable(scenario: Scenario, strategy: str) -> StrategyResult:
+        asked.add(strategy)
+        if strategy in ("lv", "suspension_only"):
+            raise TooExpensiveError("Too many steps")
+        return simulated(scenario, strategy)
+
+    for seed in (SCENARIO.road.seed, 7):
+        scenario = Scenario(road=Road(seed=seed))
+        report = there(recorded_result(scenario, recording(SCENARIO), affordable).recording)
+        assert report.reference == ("passive" if scenario == SCENARIO else None)
+        labels = f"{STRATEGIES['lv'].label}, {STRATEGIES['suspension_only'].label}"
+        assert f"Not compared with {labels}: simulating that on this road costs too much" in report.notes
+    assert asked == set(STRATEGIES) - {"lv_hil"}
 
 
 def test_a_bump_alone_says_nothing_of_a_rough_road_and_all_of_a_smooth_one() -> None:
