@@ -12,6 +12,7 @@ from scipy.signal import lfilter
 
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS
+from sim_core.errors import RefusedError
 from sim_core.metrics.comfort import weighting
 from sim_core.metrics.definition import Sums, mean_squares
 
@@ -34,6 +35,9 @@ def sampled_sums(
             recorded.
         static: Load of both tyres at rest [N].
         clearances: From rest to the bump stops of both axles, in compression, then in rebound [m]; infinite without.
+
+    Raises:
+        RefusedError: All sections were recorded, with no sample between their two ends.
 
     Example:
         >>> import numpy as np
@@ -197,8 +201,14 @@ def _weighted(time: FloatArray, acceleration: FloatArray, span: Span | None) -> 
 
 
 def _usual_step(time: FloatArray) -> float:
-    """Return the usual step between samples [s]: the mean where all are alike, as a file rounds single ones."""
+    """Return the usual step between samples [s]: the mean where all are alike, as a file rounds single ones.
+
+    Raises:
+        RefusedError: There is no sample between the first and the last instant.
+    """
     steps = np.diff(time)
     steps = steps[steps > 0][:-1]  # the last one ends with the road, not with a sample
+    if not len(steps):
+        raise RefusedError("The recording has too few samples on this road")
     usual, mean = float(np.median(steps)), float(np.mean(steps))
     return mean if abs(mean - usual) < SNAP * usual else usual

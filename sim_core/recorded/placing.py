@@ -58,7 +58,7 @@ def placed(
         signals: Of the recording, NaN where there is no value.
         track: Its distance.
     """
-    keys = [key for key in PLACED_BY if key in signals and np.nanmax(signals[key]) > np.nanmin(signals[key])]
+    keys = [key for key in PLACED_BY if key in signals and _varies(signals[key])]
     rows = np.array([signals[key] for key in keys])
     references, left_out = _references(drives, keys) if keys else ({}, [])
     placement = None
@@ -86,6 +86,12 @@ def placed(
         if value < OPPOSITE
     ]
     return Placed(placement=placement, position=position, turned=turned, notes=(*notes, *left_out))
+
+
+def _varies(values: FloatArray) -> bool:
+    """Check whether a signal has two different values."""
+    finite = values[np.isfinite(values)]
+    return len(finite) > 0 and float(np.ptp(finite)) > 0
 
 
 def _on_its_bump(

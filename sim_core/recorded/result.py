@@ -44,12 +44,15 @@ def recorded_result(
         drives: Simulates what it may be like; a drive that raises TooExpensiveError is left out, and a note says so.
 
     Raises:
-        RidelabError: It has no part of the scenario's road.
+        RefusedError: It has no part of the scenario's road, too few samples there, or its car does not move.
     """
     recorded = drive.signals()
     signals = without_gravity(recorded)
     track = track_of(signals, scenario.speed.initial)
-    if (length := float(np.ptp(track.distance))) > LONGEST:
+    length = float(np.ptp(track.distance))
+    if not length:
+        raise RefusedError("The car does not move in this recording")
+    if length > LONGEST:
         raise RefusedError(f"The recording is {length:.0f} m long, and the most is {LONGEST:g}: cut it to this road")
     found = placed(scenario, lambda name: drives(scenario, name), signals, track)
     signals |= {key: -signals[key] for key in found.turned}
@@ -58,8 +61,10 @@ def recorded_result(
         time = time * found.placement.scale
     speed = float(position[-1] - position[0]) / float(time[-1] - time[0])
     time = time - (float(np.interp(0.0, position, time)) if position[0] <= 0 else time[0] - position[0] / speed)
-    if np.count_nonzero(_on_road(position, scenario)) < 2:
+    if position[-1] <= 0 or position[0] >= scenario.road.length:
         raise RefusedError("The recording has no part of this road: its distance lies elsewhere")
+    if np.count_nonzero(_on_road(position, scenario)) < 2:
+        raise RefusedError("The recording has too few samples on this road")
     # Between samples too: the ends of the road rarely are samples.
     whole = {key: signals.get(key, np.full(len(time), nan)) for key in SIGNALS} | {"time": time, "position": position}
     result, notes = _evaluated(scenario, whole, f"{PREFIX}{drive.id}", timed=track.timed)

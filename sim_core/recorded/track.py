@@ -34,6 +34,8 @@ class Track:
 def track_of(signals: Mapping[str, FloatArray], initial: float) -> Track:
     """From whichever of time, position and speed there are; `initial` is the scenario's speed [m/s]."""
     time, position, speed = (signals.get(key) for key in ("time", "position", "speed"))
+    if speed is not None and not np.isfinite(speed).any():
+        speed = None
     if time is not None and position is not None:
         return Track(distance=position, time=time, clocked=False, timed=True)
     assumed = f"It is taken as driven at the initial speed, {initial / KMH:g} km/h: it has no speed"

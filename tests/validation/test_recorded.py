@@ -9,7 +9,7 @@ import pytest
 from sim_core import STRATEGIES, Bump, Mismatch, RidelabError, Road, Scenario, Speed, StrategyResult, Vehicle, simulate
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, SIGNALS
-from sim_core.errors import TooExpensiveError
+from sim_core.errors import RefusedError, TooExpensiveError
 from sim_core.recorded.alignment import MOST_SCALED, correlations, place
 from sim_core.recorded.result import recorded_result
 from sim_core.recorded.zeros import GRAVITY
@@ -136,6 +136,37 @@ def test_a_drive_somewhere_else_is_not_placed() -> None:
     elsewhere = RecordedDrive.of({"time": x / 10, "position": x + 1000, "body_acceleration": signal[0]})
     with pytest.raises(RidelabError, match="no part of this road"):
         recorded_result(SCENARIO, elsewhere)
+
+
+@pytest.mark.parametrize(
+    ("position", "speed", "said"),
+    [
+        ([0.0, 150.0], None, "too few samples on this road"),
+        ([0.0, 0.0, 150.0], None, "too few samples on this road"),
+        ([-10.0, 160.0], None, "too few samples on this road"),
+        ([-10.0, -10.0, 75.0, 160.0], None, "too few samples on this road"),
+        (None, [0.0, 0.0, 0.0], "does not move"),
+    ],
+)
+def test_too_few_samples_are_refused(position: list[float] | None, speed: list[float] | None, said: str) -> None:
+    """Two ends say nothing of the road between them, with a jump at one of them neither."""
+    given = np.array(position or speed)
+    signals = {"position" if position else "speed": given, "body_acceleration": np.arange(len(given), dtype=float)}
+    time = np.array([0.0, *np.cumsum(np.diff(given) / 10)]) if position else np.arange(len(given), dtype=float)
+    with pytest.raises(RefusedError, match=said):
+        recorded_result(SCENARIO, RecordedDrive.of({"time": time, **signals}), simulated)
+
+
+def test_a_signal_without_any_value_is_like_one_that_is_missing() -> None:
+    """Also the speed, which else gives the distance."""
+    signals = recording(SCENARIO).signals()
+    empty = {key: np.full(len(signals["time"]), nan) for key in ("speed", "rear_deflection")}
+    found = recorded_result(SCENARIO, RecordedDrive.of(signals | empty), simulated)
+    without = {key: values for key, values in signals.items() if key not in empty}
+    expected = recorded_result(SCENARIO, RecordedDrive.of(without), simulated)
+    assert there(found.recording).notes == there(expected.recording).notes
+    assert there(found.recording).reference == "passive"
+    assert found.metrics["whole"]["body_acceleration"] == expected.metrics["whole"]["body_acceleration"]
 
 
 def test_where_both_axles_meet_the_bump_together_its_window_ends_with_it() -> None:
