@@ -11,7 +11,7 @@ from backend import csv_lines
 from backend.csv_lines import CsvError
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS, SIGNALS
-from sim_core.recorded.zeros import notes_on_zeros
+from sim_core.recorded.offsets import describe_offsets
 from sim_core.scenario.recorded import LONGEST, RecordedDrive
 
 MAX_LINE, MAX_COLUMNS = 4000, 200
@@ -228,4 +228,4 @@ def _doubts(signals: Mapping[str, FloatArray]) -> list[str]:
             continue
         if (most := float(np.nanmax(np.abs(values)))) > largest:
             said.append(f"{SIGNALS[key].label} reaches {most:.3g} {unit}: is its unit right?")
-    return said + (notes_on_zeros(signals, float(np.ptp(signals["time"]))) if "time" in signals else [])
+    return said + (describe_offsets(signals, float(np.ptp(signals["time"]))) if "time" in signals else [])

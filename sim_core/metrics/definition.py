@@ -21,7 +21,9 @@ ByWindow = dict[str, dict[str, dict[str, float]]]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sums:
-    """What the metrics of a drive follow from; what was not recorded is NaN.
+    """Accumulated sums from which the metrics of a drive are computed.
+
+    What was not recorded is NaN.
 
     Sections are the rough road, the bump, and what follows it; together they are the whole drive.
 

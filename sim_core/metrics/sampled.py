@@ -18,14 +18,17 @@ from sim_core.metrics.definition import Sums, mean_squares
 
 WEIGHTED_STEP = 1e-3  # longest of the weighting [s]
 SNAP = 0.1  # of a sampling step: a section that ends so near to a sample ends there, as times of a file are rounded
-LIFTED = 1 - 1e-6  # of the static load: so much less than none is none, as loads of a file are rounded
+AIRBORNE_SHARE = 1 - 1e-6  # of the static load: a tyre that lacks this much has none, as loads of a file are rounded
 
-Span = tuple[float, float]  # first and last time [s]
+TimeSpan = tuple[float, float]  # first and last time [s]
 _ROWS = {key: row for row, key in enumerate(METRIC_SIGNALS)}
 
 
 def sampled_sums(
-    signals: Mapping[str, FloatArray], sections: Sequence[Span | None], static: Span, clearances: tuple[Span, Span]
+    signals: Mapping[str, FloatArray],
+    sections: Sequence[TimeSpan | None],
+    static: TimeSpan,
+    clearances: tuple[TimeSpan, TimeSpan],
 ) -> Sums:
     """Return the sums of a recorded drive.
 
@@ -78,7 +81,7 @@ def _snapped(time: FloatArray, instant: float) -> float:
     return nearest if abs(nearest - instant) <= SNAP * (after - before) else instant
 
 
-def _cut(time: FloatArray, rows: FloatArray, span: Span) -> tuple[FloatArray, FloatArray]:
+def _clip_to_span(time: FloatArray, rows: FloatArray, span: TimeSpan) -> tuple[FloatArray, FloatArray]:
     """Return the samples of a span and its two ends (n,) [s], with the signals there (signals, n).
 
     Where a signal jumps at an end, the value that lies within the span counts.
@@ -86,11 +89,13 @@ def _cut(time: FloatArray, rows: FloatArray, span: Span) -> tuple[FloatArray, Fl
     first = int(np.clip(np.searchsorted(time, span[0], "right") - 1, 0, len(time) - 2))
     last = int(np.clip(np.searchsorted(time, span[1], "left"), first + 1, len(time) - 1))
     at = np.concatenate([[span[0]], time[first + 1 : last], [span[1]]])
-    begin, end = (_on_line(time, rows, sample, instant) for sample, instant in ((first, span[0]), (last - 1, span[1])))
+    begin, end = (
+        _interpolate(time, rows, sample, instant) for sample, instant in ((first, span[0]), (last - 1, span[1]))
+    )
     return at, np.column_stack([begin, rows[:, first + 1 : last], end])
 
 
-def _on_line(time: FloatArray, rows: FloatArray, sample: int, instant: float) -> FloatArray:
+def _interpolate(time: FloatArray, rows: FloatArray, sample: int, instant: float) -> FloatArray:
     """Return the signals at an instant between a sample and the next one (signals,)."""
     step = time[sample + 1] - time[sample]
     share = float(np.clip((instant - time[sample]) / step, 0.0, 1.0)) if step > 0 else 0.0
@@ -99,29 +104,29 @@ def _on_line(time: FloatArray, rows: FloatArray, sample: int, instant: float) ->
     return there
 
 
-def _in_section(time: FloatArray, table: FloatArray, span: Span | None) -> tuple[FloatArray, FloatArray]:
+def _in_section(time: FloatArray, table: FloatArray, span: TimeSpan | None) -> tuple[FloatArray, FloatArray]:
     """Return the integrals of METRIC_SIGNALS' squares, and their peaks (8,); of no time both are 0."""
     if span is None:
         return np.full(len(table), nan), np.full(len(table), nan)
     if span[1] <= span[0]:
         return np.zeros(len(table)), np.zeros(len(table))
-    at, values = _cut(time, table, span)
+    at, values = _clip_to_span(time, table, span)
     return mean_squares(values[:, :-1], values[:, 1:]) @ np.diff(at), np.abs(values).max(axis=1)
 
 
-def _power(time: FloatArray, table: FloatArray, span: Span | None) -> tuple[float, float]:
+def _power(time: FloatArray, table: FloatArray, span: TimeSpan | None) -> tuple[float, float]:
     """Return the integral of both actuators' |u·ḋ| [J], and its peak [W]."""
     if span is None:
         return nan, nan
-    at, rows = _cut(time, table, span)
+    at, rows = _clip_to_span(time, table, span)
     deflections, forces = (
         rows[[_ROWS[f"{axle}_{kind}"] for axle in ("front", "rear")]] for kind in ("deflection", "force")
     )
-    power = np.abs(forces * np.array([_rate(each, at) for each in deflections])).sum(axis=0)
+    power = np.abs(forces * np.array([_derivative(each, at) for each in deflections])).sum(axis=0)
     return float(np.trapezoid(power, at)), float(power.max())
 
 
-def _rate(values: FloatArray, time: FloatArray) -> FloatArray:
+def _derivative(values: FloatArray, time: FloatArray) -> FloatArray:
     """Return the rate of change (n,), from one side alone at both ends and where two samples stand at one instant."""
     step = np.diff(time)
     moves = step > 0
@@ -152,30 +157,32 @@ def _parabola(x: FloatArray, y: FloatArray, at: FloatArray) -> FloatArray:
     return total
 
 
-def _airborne(time: FloatArray, table: FloatArray, span: Span | None, static: Span) -> tuple[float, ...]:
+def _airborne(time: FloatArray, table: FloatArray, span: TimeSpan | None, static: TimeSpan) -> tuple[float, ...]:
     """Return for how long any tyre, the front and the rear one was without the load that it has at rest [s]."""
     if span is None:
         return nan, nan, nan
-    at, rows = _cut(time, table, span)
+    at, rows = _clip_to_span(time, table, span)
     loads = rows[[_ROWS["front_tyre_load"], _ROWS["rear_tyre_load"]]]
-    off = np.where(np.isnan(loads), nan, loads <= -LIFTED * np.array(static)[:, None])
+    off = np.where(np.isnan(loads), nan, loads <= -AIRBORNE_SHARE * np.array(static)[:, None])
     return tuple(float(np.trapezoid(each, at)) for each in (off.max(axis=0), *off))
 
 
-def _on_stops(time: FloatArray, table: FloatArray, span: Span | None, clearances: tuple[Span, Span]) -> float:
+def _on_stops(
+    time: FloatArray, table: FloatArray, span: TimeSpan | None, clearances: tuple[TimeSpan, TimeSpan]
+) -> float:
     """Return for how long either suspension was beyond the clearance of its bump stops [s]."""
     down, up = np.array(clearances)[:, :, None]
     if np.isinf(down).all():
         return 0.0
     if span is None:
         return nan
-    at, rows = _cut(time, table, span)
+    at, rows = _clip_to_span(time, table, span)
     deflections = rows[[_ROWS["front_deflection"], _ROWS["rear_deflection"]]]
     beyond = np.where(np.isnan(deflections), nan, (deflections < -down) | (deflections > up))
     return float(np.trapezoid(beyond.max(axis=0), at))
 
 
-def _weighted(time: FloatArray, acceleration: FloatArray, span: Span | None) -> tuple[FloatArray, float]:
+def _weighted(time: FloatArray, acceleration: FloatArray, span: TimeSpan | None) -> tuple[FloatArray, float]:
     """Return the acceleration through Wk (n,) [m/s^2], and the step between its samples [s].
 
     Its mean is taken off first: Wk passes nothing that stands still, but a filter that starts from rest would ring with
@@ -183,7 +190,7 @@ def _weighted(time: FloatArray, acceleration: FloatArray, span: Span | None) -> 
     """
     if span is None:
         return np.full(1, nan), 1.0
-    at, (values,) = _cut(time, acceleration[None], span)
+    at, (values,) = _clip_to_span(time, acceleration[None], span)
     values = values - np.trapezoid(values, at) / (span[1] - span[0])
     usual = _usual_step(at)
     step = usual / ceil(usual / WEIGHTED_STEP - SNAP)

@@ -1,4 +1,4 @@
-"""Which simulated drive a recording is likest, where, and which of its signals are recorded the other way round."""
+"""The simulated drive that a recording matches best, its position there, and which signals have the opposite sign."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -9,14 +9,14 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS, SIGNALS
 from sim_core.errors import RefusedError, TooExpensiveError
-from sim_core.recorded.alignment import Placement, Reference, Signs, correlations, evenly, place
+from sim_core.recorded.alignment import Placement, Reference, Signs, apply_signs, correlations, evenly, find_placement
+from sim_core.recorded.kink_peaks import heights_match
 from sim_core.recorded.track import Track
-from sim_core.recorded.tyre_peaks import on_this_road
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.strategies import REFERENCE_STRATEGIES, STRATEGIES
 
-PLACED_BY = METRIC_SIGNALS[:6]  # not by the forces, in which laws differ most
+PLACED_BY = METRIC_SIGNALS[:6]  # not by the forces, in which controllers differ most
 OPPOSITE = -0.5  # correlation of a signal whose sign may be the other way round
 MOST_SAMPLES = 100_000  # of a simulated drive
 # Signals that are recorded the other way round together: z may point down, compression may count positive.
@@ -25,32 +25,32 @@ CONVENTIONS = {
     "compression counts positive": ("front_deflection", "rear_deflection"),
 }
 _UNPLACED = (
-    "It was not placed: at no one place of this road is it like a simulated drive beyond chance; its distance is taken "
-    "as the position"
+    "The recording could not be placed: no position matches a simulated drive better than chance. Its own distance is "
+    "used as the position"
 )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Placed:
+class PlacedRecording:
     """A recording on a road.
 
     Attributes:
-        placement: None where it was not placed.
+        placement: None where it could not be placed.
         position: On the road (m,) [m].
-        turned: The signals whose sign is turned.
-        notes: All of this in words.
+        inverted: The signals whose sign was inverted.
+        notes: What was done, in words.
     """
 
     placement: Placement | None
     position: FloatArray
-    turned: tuple[str, ...]
+    inverted: tuple[str, ...]
     notes: tuple[str, ...]
 
 
-def placed(
+def place_recording(
     scenario: Scenario, drives: Callable[[str], StrategyResult], signals: Mapping[str, FloatArray], track: Track
-) -> Placed:
-    """Place a recording where it is likest any of our strategies; where it says, if its road heights are this road's.
+) -> PlacedRecording:
+    """Place a recording where it matches a strategy's drive best; at its own distance, if it has this road's heights.
 
     Args:
         scenario: Whose road.
@@ -62,30 +62,34 @@ def placed(
     rows = np.array([signals[key] for key in keys])
     references, left_out = _references(drives, keys) if keys else ({}, [])
     placement = None
-    if references and all(on_this_road(scenario, signals, track.distance)):
-        placement = _as_it_says(track.distance, rows, references)
+    if references and all(heights_match(scenario, signals, track.distance)):
+        placement = _at_recorded_distance(track.distance, rows, references)
     elif references:
-        placement = place(track.distance, rows, references, _signs(keys), smooth=scenario.road.is_smooth)
+        placement = find_placement(track.distance, rows, references, _signs(keys), smooth=scenario.road.is_smooth)
     if placement is None:
         unplaced = _UNPLACED, *left_out, *_on_its_bump(scenario, track.distance, rows, references, _signs(keys))
-        return Placed(placement=None, position=track.distance, turned=(), notes=unplaced)
+        return PlacedRecording(placement=None, position=track.distance, inverted=(), notes=unplaced)
     position = placement.offset + placement.scale * track.distance
-    likest = f"{STRATEGIES[placement.reference].label} (correlation {placement.likeness:.2f})"
+    best_match = f"{STRATEGIES[placement.reference].label} (correlation {placement.likeness:.2f})"
     notes = [
-        f"It was placed where it is like {likest}: position = {placement.offset:.3f} m + {placement.scale:.5f} of its "
-        "distance"
+        f"It was placed where it is like {best_match}: position = {placement.offset:.3f} m + "
+        f"{placement.scale:.5f} of its distance"
     ]
-    turned = tuple(key for key, sign in zip(keys, placement.signs, strict=True) if sign < 0)
+    inverted = tuple(key for key, sign in zip(keys, placement.signs, strict=True) if sign < 0)
     for convention, members in CONVENTIONS.items():
-        if which := [SIGNALS[key].label for key in members if key in turned]:
-            notes.append(f"{' and '.join(which)}: against the simulated drive, so {convention}; the sign is turned")
-    there = correlations(position, np.array(placement.signs)[:, None] * rows, *references[placement.reference])
+        if which := [SIGNALS[key].label for key in members if key in inverted]:
+            has, its = ("has", "its") if len(which) == 1 else ("have", "their")
+            notes.append(
+                f"{' and '.join(which)} {has} the opposite sign of the simulated drive ({convention}); "
+                f"{its} sign was inverted"
+            )
+    there = correlations(position, apply_signs(rows, placement.signs), *references[placement.reference])
     notes += [
-        f"{SIGNALS[key].label} moves against the simulated one: is its sign the other way round?"
+        f"{SIGNALS[key].label} has the opposite sign of the simulated one: is it inverted?"
         for key, value in zip(keys, there, strict=True)
         if value < OPPOSITE
     ]
-    return Placed(placement=placement, position=position, turned=turned, notes=(*notes, *left_out))
+    return PlacedRecording(placement=placement, position=position, inverted=inverted, notes=(*notes, *left_out))
 
 
 def _varies(values: FloatArray) -> bool:
@@ -101,10 +105,10 @@ def _on_its_bump(
     references: Mapping[str, Reference],
     signs: Sequence[Signs],
 ) -> list[str]:
-    """Say where it lies if it is a drive over another road that has the same bump."""
+    """Return a note on where the recording would lie if it was driven over another road with the same bump."""
     if scenario.road.is_smooth or not scenario.road.has_bump or not references:
         return []
-    alike = place(distance, rows, references, signs, smooth=True)
+    alike = find_placement(distance, rows, references, signs, smooth=True)
     if alike is None or not alike.offset + alike.scale * distance[0] < scenario.road.bump.start:
         return []
     start = scenario.road.bump.start
@@ -134,19 +138,19 @@ def _references(drives: Callable[[str], StrategyResult], keys: Sequence[str]) ->
     return references, [f"Not compared with {names}: simulating that on this road costs too much"] if names else []
 
 
-def _as_it_says(distance: FloatArray, rows: FloatArray, references: Mapping[str, Reference]) -> Placement:
-    """The recording at its own distance, with the drive that it is likest."""
+def _at_recorded_distance(distance: FloatArray, rows: FloatArray, references: Mapping[str, Reference]) -> Placement:
+    """Return the recording's own distance as its placement, with the drive that it matches best."""
     distance, rows = evenly(distance, rows, float(np.ptp(distance)) / MOST_SAMPLES)  # beside the jumps
     likeness = {
         name: float(np.mean(correlations(distance, rows, *reference))) for name, reference in references.items()
     }
-    likest = max(likeness, key=likeness.__getitem__)
+    best_match = max(likeness, key=likeness.__getitem__)
     signs = (1,) * len(rows)
-    return Placement(offset=0.0, scale=1.0, likeness=likeness[likest], reference=likest, signs=signs)
+    return Placement(offset=0.0, scale=1.0, likeness=likeness[best_match], reference=best_match, signs=signs)
 
 
 def _signs(keys: Sequence[str]) -> list[Signs]:
-    """The signs that signals may have, by convention."""
+    """Return the signs that signals may have, by convention."""
     there = [members for members in CONVENTIONS.values() if set(members) & set(keys)]
     chosen = [dict(zip(there, signs, strict=True)) for signs in product((1, -1), repeat=len(there))]
     return [tuple(next((s for members, s in each.items() if key in members), 1) for key in keys) for each in chosen]

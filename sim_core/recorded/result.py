@@ -13,12 +13,11 @@ from sim_core.blas import one_thread
 from sim_core.catalogue import EVENTS, METRIC_SIGNALS, SIGNALS, WHOLE, WINDOWS
 from sim_core.errors import RefusedError
 from sim_core.metrics.definition import ByWindow, comfort_metrics, drive_events, window_metrics
-from sim_core.metrics.sampled import Span as Times
-from sim_core.metrics.sampled import sampled_sums
-from sim_core.recorded.placing import Placed, placed
+from sim_core.metrics.sampled import TimeSpan, sampled_sums
+from sim_core.recorded.kink_peaks import peaks_at_kinks
+from sim_core.recorded.offsets import describe_offsets, without_gravity
+from sim_core.recorded.placing import PlacedRecording, place_recording
 from sim_core.recorded.track import track_of
-from sim_core.recorded.tyre_peaks import peaks_at_kinks
-from sim_core.recorded.zeros import notes_on_zeros, without_gravity
 from sim_core.result import RecordingReport, Series, Span, StrategyResult, no_columns
 from sim_core.scenario import Scenario
 from sim_core.scenario.parts import KMH
@@ -34,9 +33,9 @@ def recorded_result(
 ) -> StrategyResult:
     """Return what a recording says over a scenario's road, by the metrics of a simulated run.
 
-    It is placed on the road by its likeness to the strategies' simulated drives (`placing.placed`); where it is like
-    none beyond chance, its distance is taken as the position. A metric whose signal is missing or does not cover its
-    window is NaN. What was done and what is missing stands in `recording` of the result.
+    It is placed on the road by its likeness to the strategies' simulated drives (`placing.place_recording`); where no
+    position matches one better than chance, its own distance is used as the position. A metric whose signal is missing
+    or does not cover its window is NaN. `recording` of the result says what was done and what is missing.
 
     Args:
         scenario: Whose road, car and windows; its measured road's heights with it.
@@ -54,8 +53,8 @@ def recorded_result(
         raise RefusedError("The car does not move in this recording")
     if length > LONGEST:
         raise RefusedError(f"The recording is {length:.0f} m long, and the most is {LONGEST:g}: cut it to this road")
-    found = placed(scenario, lambda name: drives(scenario, name), signals, track)
-    signals |= {key: -signals[key] for key in found.turned}
+    found = place_recording(scenario, lambda name: drives(scenario, name), signals, track)
+    signals |= {key: -signals[key] for key in found.inverted}
     position, time = found.position, track.time
     if track.clocked and found.placement is not None:
         time = time * found.placement.scale
@@ -68,12 +67,12 @@ def recorded_result(
     # Between samples too: the ends of the road rarely are samples.
     whole = {key: signals.get(key, np.full(len(time), nan)) for key in SIGNALS} | {"time": time, "position": position}
     result, notes = _evaluated(scenario, whole, f"{PREFIX}{drive.id}", timed=track.timed)
-    notes = [*track.notes, *notes_on_zeros(recorded, float(np.ptp(time))), *found.notes, *notes]
+    notes = [*track.notes, *describe_offsets(recorded, float(np.ptp(time))), *found.notes, *notes]
     return replace(result, recording=_report(found, scenario, whole, drive.samples, notes))
 
 
 def _report(
-    found: Placed, scenario: Scenario, signals: Mapping[str, FloatArray], samples: int, notes: Sequence[str]
+    found: PlacedRecording, scenario: Scenario, signals: Mapping[str, FloatArray], samples: int, notes: Sequence[str]
 ) -> RecordingReport:
     placement, position = found.placement, signals["position"]
     return RecordingReport(
@@ -168,7 +167,7 @@ def _in_a_sentence(signal: str) -> str:
     return label[0].lower() + label[1:]
 
 
-def _times(start: float, stop: float, position: FloatArray, time: FloatArray) -> Times | None:
+def _times(start: float, stop: float, position: FloatArray, time: FloatArray) -> TimeSpan | None:
     """Return when a part of the road was driven [s]; None where it was not recorded, but for half a metre at an end."""
     first, last = max(start, float(position[0])), min(stop, float(position[-1]))
     if first > start + END_TOLERANCE or last < stop - END_TOLERANCE:

@@ -14,7 +14,7 @@ SLOWEST = 0.1  # a recorded speed below counts as this where it gives the time [
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Track:
-    """Where a recording was when, from any zero.
+    """Distance and time of a recording.
 
     Attributes:
         distance: Not descending (m,) [m].
@@ -32,7 +32,15 @@ class Track:
 
 
 def track_of(signals: Mapping[str, FloatArray], initial: float) -> Track:
-    """From whichever of time, position and speed there are; `initial` is the scenario's speed [m/s]."""
+    """Derive distance and time from those of time, position and speed that there are.
+
+    Args:
+        signals: By the catalogue's names (m,) [SI units].
+        initial: The scenario's initial speed [m/s].
+
+    Raises:
+        RefusedError: There is neither time nor position.
+    """
     time, position, speed = (signals.get(key) for key in ("time", "position", "speed"))
     if speed is not None and not np.isfinite(speed).any():
         speed = None
@@ -60,5 +68,5 @@ def track_of(signals: Mapping[str, FloatArray], initial: float) -> Track:
 
 
 def _integral(values: FloatArray, over: FloatArray) -> FloatArray:
-    """From the first sample on, by trapezoids (n,)."""
+    """Return the trapezoidal integral (n,)."""
     return np.concatenate([[0.0], np.cumsum((values[1:] + values[:-1]) / 2 * np.diff(over))])

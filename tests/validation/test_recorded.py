@@ -10,9 +10,9 @@ from sim_core import STRATEGIES, Bump, Mismatch, RidelabError, Road, Scenario, S
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, SIGNALS
 from sim_core.errors import RefusedError, TooExpensiveError
-from sim_core.recorded.alignment import MOST_SCALED, correlations, place
+from sim_core.recorded.alignment import LARGEST_SCALE_ERROR, correlations, find_placement
+from sim_core.recorded.offsets import GRAVITY
 from sim_core.recorded.result import recorded_result
-from sim_core.recorded.zeros import GRAVITY
 from sim_core.scenario.presets import preset
 from sim_core.scenario.recorded import RecordedDrive
 from tests.there import there
@@ -66,7 +66,7 @@ def test_a_clock_that_is_far_off_is_found_on_a_long_road() -> None:
     road = np.convolve(np.random.default_rng(1).normal(size=len(position)), np.hanning(11), "same")
     distance = np.arange(0, 380, 0.1)
     recorded = np.interp(20 + 0.985 * distance, position, road)
-    found = there(place(distance, recorded[None], {"passive": (position, road[None])}, [(1,)]))
+    found = there(find_placement(distance, recorded[None], {"passive": (position, road[None])}, [(1,)]))
     assert found.offset == pytest.approx(20, abs=0.001)
     assert found.scale == pytest.approx(0.985, abs=1e-5)
 
@@ -208,7 +208,7 @@ def test_drives_of_other_roads_are_not_placed(count: int) -> None:
     assert sum(there(result.recording).reference is not None for result in found) <= count // 200
 
 
-SCALED = 0.9 * MOST_SCALED
+SCALED = 0.9 * LARGEST_SCALE_ERROR
 
 
 @pytest.mark.parametrize(
@@ -235,7 +235,7 @@ def test_drives_of_this_road_are_placed(strategy: str, drift: float, changes: di
     assert found.scale == pytest.approx(1 + drift, abs=0.003)
 
 
-def test_a_drive_is_placed_against_the_strategy_that_it_is_likest() -> None:
+def test_a_drive_is_placed_against_the_strategy_that_it_matches_best() -> None:
     for strategy in ("lv", "skyhook", "suspension_only"):
         found = there(recorded_result(SCENARIO, recording(SCENARIO, strategy), simulated).recording)
         assert found.reference == strategy
@@ -277,9 +277,9 @@ def test_a_bump_alone_says_nothing_of_a_rough_road_and_all_of_a_smooth_one() -> 
 @pytest.mark.parametrize(
     ("sign", "added", "said"),
     [
-        (1, GRAVITY, "gravity is in it; it is taken off"),
-        (-1, -GRAVITY, "gravity is in it; z points down: it is taken off and the sign turned"),
-        (-1, 0.0, "against the simulated drive, so z points down; the sign is turned"),
+        (1, GRAVITY, "The mean of body acceleration is 9.8 m/s²: it contains gravity, which was subtracted"),
+        (-1, -GRAVITY, "it contains gravity, which was subtracted; z points down, so its sign was inverted"),
+        (-1, 0.0, "has the opposite sign of the simulated drive (z points down); its sign was inverted"),
     ],
 )
 @pytest.mark.parametrize("placed", [True, False])
@@ -311,17 +311,17 @@ def test_an_offset_is_said_and_the_weighted_values_are_without_it(offset: float)
     drive = recording(SCENARIO)
     other = changed(drive, body_acceleration=drive.signals()["body_acceleration"] + offset)
     found, expected = (recorded_result(SCENARIO, each, simulated) for each in (other, drive))
-    assert any("Body acceleration lies about" in note for note in there(found.recording).notes)
+    assert any("The mean of body acceleration is" in note for note in there(found.recording).notes)
     for key in ("weighted_rms", "vibration_dose"):
         assert found.comfort[key] == pytest.approx(expected.comfort[key], rel=1e-3)
     whole = found.metrics["whole"]["body_acceleration"]["rms"]
     assert whole == pytest.approx(np.hypot(expected.metrics["whole"]["body_acceleration"]["rms"], offset), rel=0.02)
 
 
-def test_compression_that_counts_positive_is_said_and_turned() -> None:
+def test_compression_that_counts_positive_is_said_and_inverted() -> None:
     drive = recording(SCENARIO)
     found = recorded_result(SCENARIO, changed(drive, front_deflection=-drive.signals()["front_deflection"]), simulated)
-    assert any("so compression counts positive" in note for note in there(found.recording).notes)
+    assert any("(compression counts positive); its sign was inverted" in note for note in there(found.recording).notes)
     series = simulate(SCENARIO, "passive").series
     shared = np.interp(series["position"], found.series["position"], found.series["front_deflection"])
     assert np.corrcoef(shared, series["front_deflection"])[0, 1] > 0.99
@@ -332,4 +332,4 @@ def test_nothing_is_said_of_a_drives_own_zeros(strategy: str) -> None:
     notes = there(
         recorded_result(SCENARIO, recording(SCENARIO, strategy, keys=METRIC_SIGNALS), simulated).recording
     ).notes
-    assert not any("lies about" in note or "sign" in note for note in notes)
+    assert not any("The mean of" in note or "sign" in note for note in notes)

@@ -6,7 +6,7 @@ from math import inf
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.metrics.sampled import SNAP, Span
+from sim_core.metrics.sampled import SNAP, TimeSpan
 from sim_core.road.profile import grid_positions, kinks, road_profile
 from sim_core.scenario import Scenario
 
@@ -14,7 +14,7 @@ SAME_ROAD = 1e-4  # recorded heights are the scenario's where none is further of
 AXLES = ("front", "rear")
 
 
-def on_this_road(scenario: Scenario, signals: Mapping[str, FloatArray], position: FloatArray) -> tuple[bool, bool]:
+def heights_match(scenario: Scenario, signals: Mapping[str, FloatArray], position: FloatArray) -> tuple[bool, bool]:
     """Check for both axles whether the recorded road heights are the scenario's at those positions (samples,) [m]."""
     surface = road_profile(scenario.road)
     front, rear = (
@@ -26,7 +26,7 @@ def on_this_road(scenario: Scenario, signals: Mapping[str, FloatArray], position
 
 
 def peaks_at_kinks(
-    scenario: Scenario, signals: Mapping[str, FloatArray], sections: Sequence[Span | None]
+    scenario: Scenario, signals: Mapping[str, FloatArray], sections: Sequence[TimeSpan | None]
 ) -> FloatArray | None:
     """Return the largest tyre loads where the axles meet kinks of the road between samples, as a run has them.
 
@@ -43,7 +43,7 @@ def peaks_at_kinks(
         where neither's are.
     """
     surface, vehicle = road_profile(scenario.road), scenario.real_vehicle
-    peaks, known = np.zeros((len(sections), len(AXLES))), on_this_road(scenario, signals, signals["position"])
+    peaks, known = np.zeros((len(sections), len(AXLES))), heights_match(scenario, signals, signals["position"])
     stiffness = vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness
     time = signals["time"]
     near = SNAP * float(np.median(np.diff(time)))  # a section's end is not told from a kink that is so near [s]
