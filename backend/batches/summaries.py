@@ -42,8 +42,11 @@ async def summarised(
     figures: Sequence[str],
     baseline: str,
     roads: Mapping[str, MeasuredRoad],
-) -> BatchSummary:
-    """What has finished, read as a whole; `roads` are the measured ones that the batch names."""
+) -> tuple[BatchSummary, bool]:
+    """Return what has finished, read as a whole, and whether something of it failed for a reason that may pass.
+
+    `roads` are the measured ones that the batch names.
+    """
     gathered = _Gathered(batch, figures)
     async for rows in pages:
         await asyncio.to_thread(gathered.add, rows)
@@ -55,9 +58,9 @@ async def summarised(
         some = ran[first : first + POINTS_A_CALL]
         texts = [gathered.changes[point] for point in some]
         damping[np.ix_(some, columns)] = await call(summary.dampings, *origin, texts, names)
-    summaries, nominal_damping = await call(summary.nominal, *origin, names, roads)
+    summaries, nominal_damping, may_pass = await call(summary.nominal, *origin, names, roads)
     study = gathered.study(damping, summaries, nominal_damping)
-    return BatchSummary(
+    answer = BatchSummary(
         batch=batch.id,
         state=batch.state,
         core_version=CORE_VERSION,
@@ -67,6 +70,7 @@ async def summarised(
         units={key: METRICS[key].unit for key in figures},
         strategies=await call(summary.summarise, study, baseline),
     )
+    return answer, may_pass
 
 
 class _Gathered:
@@ -146,12 +150,12 @@ class CachedSummary:
 
     Attributes:
         answer: What was answered.
-        ended: How many runs had come to an end.
+        ended: How many runs had succeeded, and how many had failed.
         reusable_until: On the clock of the event loop, where runs have ended since [s].
     """
 
     answer: BatchSummary
-    ended: int
+    ended: tuple[int, int]
     reusable_until: float
 
 
@@ -171,7 +175,7 @@ class Summaries:
     gate: Gate
     roads: MeasuredRoads
     _cached: LRUCache[tuple[str, ...], CachedSummary] = field(init=False, default_factory=lambda: LRUCache(CACHED))
-    _in_progress: SharedComputations[tuple[str | int, ...], BatchSummary] = field(
+    _in_progress: SharedComputations[tuple[str | int, ...], tuple[BatchSummary, bool]] = field(
         init=False, default_factory=SharedComputations
     )
 
@@ -187,20 +191,21 @@ class Summaries:
         against = usual if baseline is None else baseline
         if against not in names:
             raise InvalidError(f"The batch has no such strategy; it has {', '.join(names)}", parameter="baseline")
-        key, ended = (job.id, against, *figures), job.done + job.failed
+        key, ended = (job.id, against, *figures), (job.done, job.failed)
         clock = asyncio.get_running_loop().time
         cached = self._cached.get(key)
         goes_on = job.state not in FINAL
         if cached is not None and (cached.ended == ended or (goes_on and clock() < cached.reusable_until)):
             return cached.answer.model_copy(update={"state": job.state})
         begin = time.perf_counter()
-        cost = COST * ended
+        cost = COST * sum(ended)
         rows, call = self.rows(job.id), partial(self.call, client, cost)
         measured = await self.roads.named(job.road_ids)
         with self.gate.hold(client, requests=1, background_cost=cost):
-            answer = await self._in_progress.join(
-                (*key, ended), partial(summarised, job, rows, call, figures, against, measured)
+            answer, may_pass = await self._in_progress.join(
+                (*key, *ended), partial(summarised, job, rows, call, figures, against, measured)
             )
         until = clock() + REUSE * (time.perf_counter() - begin)
-        self._cached[key] = CachedSummary(answer=answer, ended=ended, reusable_until=until)
+        if not may_pass:
+            self._cached[key] = CachedSummary(answer=answer, ended=ended, reusable_until=until)
         return answer

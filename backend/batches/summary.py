@@ -28,6 +28,7 @@ from backend.own import isolated
 from backend.scenario_at import NO_ROADS, scenario_at
 from sim_core import FloatArray, RidelabError, Scenario
 from sim_core.controller_files import ControllerFileError
+from sim_core.errors import RefusedError
 from sim_core.frequency.stability import least_damping
 from sim_core.scenario.measured import MeasuredRoad
 
@@ -82,16 +83,22 @@ def dampings(base: JsonObject, schema_version: int, changes: Sequence[str], stra
 
 def nominal(
     base: JsonObject, schema_version: int, strategies: Sequence[str], roads: Mapping[str, MeasuredRoad] = NO_ROADS
-) -> tuple[dict[str, Summary], dict[str, float | None]]:
-    """The batch's own scenario, nothing swept: each strategy's summary ({} where it fails) and least damping."""
+) -> tuple[dict[str, Summary], dict[str, float | None], bool]:
+    """Drive the batch's own scenario, nothing swept.
+
+    Returns:
+        Each strategy's summary ({} where it fails), its least damping, and whether one failed for a reason that may
+        pass.
+    """
     scenario = scenario_at(base, {}, schema_version, roads)
-    summaries: dict[str, Summary] = {}
+    summaries, may_pass = dict[str, Summary](), False
     for name in strategies:
         try:
             summaries[name] = simulate(scenario, name).summary()
-        except RidelabError:
+        except RidelabError as error:
             summaries[name] = {}
-    return summaries, {name: _dampings([scenario], name)[0] for name in strategies}
+            may_pass |= not isinstance(error, RefusedError)
+    return summaries, {name: _dampings([scenario], name)[0] for name in strategies}, may_pass
 
 
 def summarise(study: Study, baseline: str) -> dict[str, StrategySummary]:

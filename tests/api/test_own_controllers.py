@@ -294,6 +294,8 @@ def test_what_a_machine_lacked_is_computed_as_soon_as_it_has_it(service: Service
         assert again.json()["strategies"]["reads"]["reason"] == failed["reason"]
     assert service.get(f"/api/v1/links/{link}").json()["run"]["strategies"]["reads"]["status"] == "failed"
     assert (batch["done"], batch["failed"]) == (1, 1)
+    summary = f"/api/v1/batches/{batch['id']}/summary?figures=bump.body_acceleration.peak"
+    assert service.get(summary).json()["strategies"]["reads"]["ok"] == 0
 
     weights.write_text("2000")
     now = service.get(address).json()
@@ -309,6 +311,12 @@ def test_what_a_machine_lacked_is_computed_as_soon_as_it_has_it(service: Service
     wait_until(lambda: service.get(path).json()["state"] == "done", "what failed is computed again")
     ended = service.get(path).json()
     assert (ended["done"], ended["failed"]) == (2, 0)
+    weights.unlink()
+    missed = service.get(summary).json()["strategies"]["reads"]
+    assert (missed["ok"], missed["figures"]["bump.body_acceleration.peak"]["nominal"]) == (1, None)
+    weights.write_text("2000")
+    nominal = service.get(summary).json()["strategies"]["reads"]["figures"]["bump.body_acceleration.peak"]["nominal"]
+    assert nominal == now["strategies"]["reads"]["metrics"]["bump"]["body_acceleration"]["peak"]
     assert {row["status"] for row in service.get(f"{path}/results").json()["rows"]} == {"ok"}
     assert service.post(f"{path}/resume").json()["type"].endswith(":done")
 

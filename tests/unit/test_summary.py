@@ -124,7 +124,7 @@ def test_a_summary_of_a_batch_that_goes_on_is_answered_again_for_a_while(monkeyp
         computed.append(job.done)
         await asyncio.sleep(0.02)
         fields: dict[str, Any] = {"state": job.state}
-        return BatchSummary.model_construct(**fields)
+        return BatchSummary.model_construct(**fields), False
 
     class NoRoads:
         async def named(self, _: object) -> dict[str, Any]:
