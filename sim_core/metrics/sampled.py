@@ -1,4 +1,4 @@
-"""The sums that metrics follow from, of signals that were sampled at any times: those of a recording.
+"""The sums from which metrics are computed, of signals sampled at any times: those of a recording.
 
 Two samples at one instant are the values before and after a jump, as in result files of Modelica tools. Between samples
 signals are straight lines.
@@ -185,8 +185,8 @@ def _on_stops(
 def _weighted(time: FloatArray, acceleration: FloatArray, span: TimeSpan | None) -> tuple[FloatArray, float]:
     """Return the acceleration through Wk (n,) [m/s^2], and the step between its samples [s].
 
-    Its mean is taken off first: Wk passes nothing that stands still, but a filter that starts from rest would ring with
-    whatever lies in the signal as gravity or as an offset.
+    The mean is subtracted first: Wk passes nothing at 0 Hz, but a filter that starts from rest would ring with gravity
+    or an offset in the signal.
     """
     if span is None:
         return np.full(1, nan), 1.0

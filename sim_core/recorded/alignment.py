@@ -11,7 +11,7 @@ from scipy.optimize import fmin
 from sim_core.arrays import FloatArray
 from sim_core.recorded.significance import SignificanceTest
 
-# Of a first search: samples at least so far apart [m], at most so many, and scales each way.
+# Of the coarse search: least distance between samples [m], most samples, and most scales on either side of 1.
 COARSE_SPACING, MOST_POINTS, MOST_SCALES = 0.05, 20_000, 20
 FINE_SPACING, MOST_FINE_POINTS = 0.02, 15_000  # of the refinement
 LARGEST_SCALE_ERROR = 0.03  # a clock, or a wheel's circumference, is no further off
@@ -83,15 +83,15 @@ def find_placement(
     return _Search(distance, recorded, references, significance).best_match(signs)
 
 
-def correlations(place: FloatArray, recorded: FloatArray, position: FloatArray, simulated: FloatArray) -> FloatArray:
-    """Return the correlation coefficient of each signal at positions `place` [m] (signals,); 0 of a constant one."""
-    if len(place) < 3:
+def correlations(where: FloatArray, recorded: FloatArray, position: FloatArray, simulated: FloatArray) -> FloatArray:
+    """Return the correlation coefficient of each signal at positions `where` [m] (signals,); 0 of a constant one."""
+    if len(where) < 3:
         return np.zeros(len(recorded))
-    weight = np.gradient(place)  # samples may be dense where the car is slow
+    weight = np.gradient(where)  # samples may be dense where the car is slow
     total = max(weight.sum(), 1e-12)
     coefficients = []
     for one, row in zip(recorded, simulated, strict=True):
-        other = np.interp(place, position, row)
+        other = np.interp(where, position, row)
         a, b = one - (weight @ one) / total, other - (weight @ other) / total
         size = sqrt((weight @ (a * a)) * (weight @ (b * b)))
         coefficients.append(float(weight @ (a * b) / size) if size else 0.0)

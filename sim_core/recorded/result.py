@@ -89,7 +89,7 @@ def _report(
 
 
 def _missing(signals: Mapping[str, FloatArray]) -> tuple[str, ...]:
-    """The signals that have no values."""
+    """Return the signals that have no values."""
     return tuple(key for key in METRIC_SIGNALS if np.isnan(signals[key]).all())
 
 
@@ -162,7 +162,7 @@ def _lacking(
 
 
 def _in_a_sentence(signal: str) -> str:
-    """The label of a signal within a sentence."""
+    """Return the label of a signal as it stands within a sentence."""
     label = SIGNALS[signal].label
     return label[0].lower() + label[1:]
 
@@ -177,12 +177,12 @@ def _times(start: float, stop: float, position: FloatArray, time: FloatArray) ->
 
 
 def _on_road(position: FloatArray, scenario: Scenario) -> NDArray[np.bool_]:
-    """Which samples lie on the scenario's road."""
+    """Check which samples lie on the scenario's road (m,)."""
     return (position >= 0) & (position <= scenario.road.length)
 
 
 def _speed_at(place: float, signals: Mapping[str, FloatArray]) -> float:
-    """Speed of the car there [m/s], recorded or over the metre around; NaN where it was not there."""
+    """Return the car's speed at a position [m/s], recorded or the mean over a metre; NaN where it was not recorded."""
     position, time, speed = (signals[key] for key in ("position", "time", "speed"))
     if not position[0] <= place <= position[-1]:
         return nan
@@ -194,7 +194,7 @@ def _speed_at(place: float, signals: Mapping[str, FloatArray]) -> float:
 
 
 def _stages(edges: list[float], position: FloatArray, time: FloatArray) -> tuple[Span, ...]:
-    """Cruise, bump and cruise again, as far as it was recorded."""
+    """Return cruise, bump and cruise again, as far as they were recorded."""
     within = np.clip(edges, position[0], position[-1]).tolist()
     names = "cruise", "bump", "cruise"
     at = np.interp(within, position, time).tolist()
