@@ -123,8 +123,8 @@ async def get_run(
     baseline: Annotated[
         str | None,
         Query(
-            description="The strategy that the changes of `comparison` and of requirements refer to; omitted is the "
-            "run's own, or passive, or the first",
+            description="The strategy that all changes refer to, those of requirements too; omitted is the run's own, "
+            "or passive, or the first",
             min_length=1,
             max_length=64,
         ),

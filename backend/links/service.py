@@ -239,7 +239,7 @@ def _judged_run(stored: StoredRun, link: StoredLink) -> JsonObject:
     return run_answer(
         stored,
         requirements=requirements,
-        judged_against=link.view.get("baseline"),
+        baseline=link.view.get("baseline"),
         compared=set(shown) - set(link.view.get("hidden") or ()),
     )
 

@@ -29,20 +29,18 @@ from sim_core.strategies import label_of
 def run_answer(
     stored: StoredRun,
     *,
-    baseline: str | None = None,
     cached: Mapping[str, bool] | None = None,
     requirements: Sequence[Requirement] = (),
-    judged_against: str | None = None,
+    baseline: str | None = None,
     compared: Collection[str] | None = None,
 ) -> JsonObject:
     """Return the answer about a stored run, for orjson.
 
     Args:
         stored: The run, its scenario today's.
-        baseline: What the changes over several roads refer to; None is the run's own.
         cached: To the request that created it, by strategy whether nothing of it was computed for that one.
         requirements: What its strategies are held to.
-        judged_against: The strategy that their changes and those of `comparison` refer to, where one was named.
+        baseline: The strategy that all changes refer to, those of requirements too; None is the run's own.
         compared: The strategies that `comparison` is of, beside its baseline; None is all.
     """
     fields: dict[str, JsonObject] = {name: {} for name in stored.by_strategy}
@@ -56,10 +54,10 @@ def run_answer(
         "id": stored.id,
         "core_version": stored.core_version,
         "scenario": stored.scenario,
-        **_facts(scenario, _comparison(stored, scenario, judged_against or baseline, compared)),
+        **_facts(scenario, _comparison(stored, scenario, baseline, compared)),
     }
     if requirements:
-        head["requirement_results"] = _judged(stored, requirements, judged_against or baseline)
+        head["requirement_results"] = _judged(stored, requirements, baseline)
     if stored.roads == 1:
         return head | {"strategies": {item.strategy: item.answer(**fields[item.strategy]) for item in stored.results}}
     baseline = baseline or stored.baseline or ""

@@ -72,8 +72,10 @@ class RoadsRunBase(JudgedRun):
     """What every form of a run over several roads has."""
 
     roads: int = Field(description="Seeds road.seed, road.seed + 1, …; time histories and events are the first's")
-    baseline: str
-    changes: dict[str, StrategyChanges] = by_strategy("By strategy; not of the baseline, nor of failures")
+    baseline: str = Field(description="The strategy that changes refer to: the one asked for, else the run's own")
+    changes: dict[str, StrategyChanges] = by_strategy(
+        "Against `baseline`, by strategy; not of the baseline, nor of failures"
+    )
 
 
 class RoadsRun(RoadsRunBase):

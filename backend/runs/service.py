@@ -85,7 +85,7 @@ class Runs:
             requirements: What the strategies are held to.
         """
         saved, cached = await self.drive(scenario, strategies, client, roads=roads, baseline=baseline)
-        answer = partial(run_answer, saved, cached=cached, requirements=requirements, judged_against=baseline)
+        answer = partial(run_answer, saved, cached=cached, requirements=requirements, baseline=baseline)
         return await asyncio.to_thread(answer)
 
     async def drive(
@@ -143,7 +143,7 @@ class Runs:
         stored = await self.stored(run_id, client)
         check_has(stored, "baseline", [] if baseline is None else [baseline])
         check_has(stored, "compare", compared or ())
-        answer = partial(run_answer, stored, judged_against=baseline, requirements=requirements, compared=compared)
+        answer = partial(run_answer, stored, baseline=baseline, requirements=requirements, compared=compared)
         return await asyncio.to_thread(answer)
 
     async def changes(self, run_id: str, client: str, *, against: str | None, baseline: str | None) -> JsonObject:

@@ -63,7 +63,7 @@ class RunReports:
         except GoneError as error:
             gone = error.message
         base = baseline or stored.baseline or default_baseline(names)
-        judged = partial(run_answer, stored, baseline=base, requirements=requirements, judged_against=baseline)
+        judged = partial(run_answer, stored, requirements=requirements, baseline=baseline)
         answer = await asyncio.to_thread(lambda: as_plain(judged()))
         other: JsonObject | None = None
         if against is not None:
