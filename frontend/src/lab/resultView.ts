@@ -77,12 +77,17 @@ export function partShown(
   return { shown, catalogue, strategies, ids, faults, summaries, series, axis, zoom, whole, bump, range };
 }
 
-/** What changes refer to: the strategy that was chosen, shown or hidden, or the service's choice where the run lacks that one. */
-export const baselineOf = (
-  { summaries, failed, comparison }: Pick<Result, "summaries" | "failed" | "comparison">,
+/**
+ * What changes refer to: the strategy that was chosen, shown or hidden, or the service's choice where the run lacks that
+ * one. A recorded drive stays it under a moving slider, too: nothing simulates it, and the exact run has it again.
+ */
+export function baselineOf(
+  { source, summaries, failed, comparison }: Pick<Result, "source" | "summaries" | "failed" | "comparison">,
   chosen: StrategyId,
-): StrategyId | null =>
-  chosen in summaries || failed.some(({ strategy }) => strategy === chosen) ? chosen : (comparison?.baseline ?? null);
+): StrategyId | null {
+  const isThere = chosen in summaries || failed.some(({ strategy }) => strategy === chosen);
+  return isThere || (source === "live" && isRecording(chosen)) ? chosen : (comparison?.baseline ?? null);
+}
 
 export function withBaseline(
   part: PartShown,

@@ -6,7 +6,6 @@ import { referenceTo, whyNotCompared, type Reference } from "../../lab/compare";
 import { useAction, useActionButton } from "../../lab/actions";
 import { useLabContext, useLab, useEdit, useFromScenario, useReadOnly } from "../../lab/context";
 import { useForm } from "../../server/useCatalogues";
-import type { Strategy } from "../../api/types";
 import type { ResultView } from "../../lab/resultView";
 import { Icon } from "../../ui/icons";
 import { defaultName, MOST_PINS } from "../../lab/pins";
@@ -23,6 +22,7 @@ import {
 } from "./useCompared";
 import { getAt, setAt } from "../../scenario/path";
 import { findMember, optionOf, optionTitle } from "../../scenario/schema";
+import { possibleBaselines } from "./possibleBaselines";
 import { useQueryClient } from "@tanstack/react-query";
 import { useOpenInLab } from "../../ui/openInLab";
 import { LONGEST_NAME } from "../../scenario/library";
@@ -93,21 +93,6 @@ function AgainstSelect({ resultView }: AgainstSelectProps) {
       />
     </Group>
   );
-}
-
-/** The strategies that changes can refer to: those that are shown, and others of the result, which say that they are not. */
-export function possibleBaselines({
-  catalogue,
-  ids,
-  baseline,
-  summaries,
-}: Pick<ResultView, "catalogue" | "ids" | "baseline" | "summaries">): readonly Pick<Strategy, "id" | "label">[] {
-  return catalogue
-    .filter(({ id }) => id in summaries || id === baseline)
-    .map(({ id, label }) => ({
-      id,
-      label: ids.includes(id) ? label : `${label} (${id in summaries ? "hidden" : "failed"})`,
-    }));
 }
 
 /** Of the variant that changes are against, or of the state before the last edit. */

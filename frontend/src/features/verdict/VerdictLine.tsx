@@ -3,12 +3,13 @@
 import { Button, Group, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
-import type { OverRoads, Comparison } from "../../api/types";
+import type { Comparison, OverRoads, Scenario, StrategyId } from "../../api/types";
 import { useAction, useActionButton } from "../../lab/actions";
 import { useEdit, useLab, useReadOnly } from "../../lab/context";
 import type { ResultView } from "../../lab/resultView";
 import type { Result } from "../../lab/result";
-import { setAt } from "../../scenario/path";
+import { isRecording } from "../../lib/recording";
+import { sameValue, setAt } from "../../scenario/path";
 import { changesQuery, comparisonQuery } from "../../server/queries";
 import { useLabels } from "../../server/useCatalogues";
 import { CaveatMark } from "../tables/ChangeMark";
@@ -32,37 +33,71 @@ function isOfWhatIsShown({ shown, ids, baseline }: Pick<ResultView, "shown" | "i
   return source === "live" || Object.keys(summaries).every((id) => id === baseline || ids.includes(id));
 }
 
-/** The comparison of what is shown; until that is there, the one before. */
-function useComparison(resultView: ResultView): Comparison | undefined {
+/** A comparison, with what it is of. */
+interface Compared extends Pick<ResultView, "baseline"> {
+  readonly comparison: Comparison;
+  readonly scenario: Scenario;
+}
+
+interface ShownComparison {
+  readonly comparison: Comparison | undefined;
+  /** Whether it is of other strategies than those that are shown: the newest is on its way. */
+  readonly isOlder: boolean;
+}
+
+/** The comparison to show: the newest; while that is on its way, the last of the same scenario and baseline; else none. */
+export function shownComparison(
+  newest: Comparison | undefined,
+  last: Compared | null,
+  now: Omit<Compared, "comparison"> & { readonly isAsked: boolean },
+): ShownComparison {
+  if (newest !== undefined) return { comparison: newest, isOlder: false };
+  const isOlder =
+    last !== null && now.isAsked && last.baseline === now.baseline && sameValue(last.scenario, now.scenario);
+  return { comparison: isOlder ? last.comparison : undefined, isOlder };
+}
+
+function useComparison(resultView: ResultView): ShownComparison {
   const { shown, ids, baseline } = resultView;
   const own = isOfWhatIsShown(resultView) ? shown.comparison : undefined;
   const question = own || shown.runId === null || baseline === null ? null : { baseline, compare: ids.join(",") };
-  const { data } = useQuery({
+  const { data, isFetching } = useQuery({
     ...comparisonQuery(shown.runId ?? "", question ?? { baseline: "", compare: "" }),
     enabled: question !== null,
   });
   const newest = own ?? (question ? data : undefined);
-  const [last, setLast] = useState(newest);
-  if (newest !== undefined && newest !== last) setLast(newest);
-  return newest ?? last;
+  const { scenario } = shown;
+  const [last, setLast] = useState<Compared | null>(null);
+  if (newest !== undefined && newest !== last?.comparison) setLast({ comparison: newest, scenario, baseline });
+  return shownComparison(newest, last, { scenario, baseline, isAsked: question !== null && isFetching });
+}
+
+/** Why there is no comparison with the chosen baseline: a recorded drive is compared with exact runs alone. */
+export function whyNoComparison(
+  { shown, baseline }: Pick<ResultView, "shown" | "baseline">,
+  label: (id: StrategyId) => string,
+): string {
+  const isLeftOut = shown.source === "live" && baseline !== null && isRecording(baseline);
+  return isLeftOut ? `The comparison with ${label(baseline)} comes with the exact run.` : "";
 }
 
 export function VerdictLine({ resultView }: { readonly resultView: ResultView }) {
   const { shown, ids, baseline, summaries } = resultView;
-  const comparison = useComparison(resultView);
+  const { comparison, isOlder } = useComparison(resultView);
+  const { strategy } = useLabels();
   const stale = useLab((state) => state.stale);
   const isAlone = ids.length < 2 && (baseline === null || ids.includes(baseline));
-  const text = isAlone ? "" : (comparison?.verdict.text ?? "");
+  const text = isAlone ? "" : (comparison?.verdict.text ?? whyNoComparison(resultView, strategy));
   // A screen reader is told of results, not of each step of a slider.
   const [announced, setAnnounced] = useState("");
-  if (shown.source === "exact" && !stale && text !== announced) setAnnounced(text);
+  if (shown.source === "exact" && !stale && !isOlder && text !== announced) setAnnounced(text);
   const [lead = "", ...rest] = text.split(/(?<=\.) /);
   return (
     <Group gap="0.2rem 0.7rem" p="0 0.2rem" fz="sm" lh={1.4} data-testid="verdict">
       <p className="visually-hidden" role="status">
         {announced}
       </p>
-      <Text component="p" inherit aria-hidden>
+      <Text component="p" inherit aria-hidden {...(isOlder && { c: "dimmed", "data-older": true })}>
         {isAlone ? (
           "One strategy is shown: switch on another to see which is best."
         ) : (

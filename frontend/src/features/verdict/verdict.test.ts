@@ -1,11 +1,11 @@
 import { describe, expect, it } from "vitest";
-import type { Catalogue, Caution, Run, Strategy, Summary } from "../../api/types";
+import type { Catalogue, Caution, Comparison, Run, Strategy, Summary } from "../../api/types";
 import { fromRun, type Result } from "../../lab/result";
 import { baselineOf } from "../../lab/resultView";
 import type { Labels } from "../../server/useCatalogues";
-import { possibleBaselines } from "../compare/CompareBar";
+import { possibleBaselines } from "../compare/possibleBaselines";
 import { changedMost, editChanges } from "./ChangeChips";
-import { speedsDiffer } from "./VerdictLine";
+import { shownComparison, speedsDiffer, whyNoComparison } from "./VerdictLine";
 
 const SIGNALS = ["body_acceleration", "pitch_acceleration"];
 const CATALOGUE = {
@@ -34,8 +34,9 @@ function compared(summaries: Readonly<Record<string, Summary>>) {
 }
 
 describe("the baseline", () => {
-  const { summaries } = compared({ lv: summary([1, 1, 1, 1], 20), passive: summary([2, 2, 2, 2], 20) });
+  const { summaries, shown } = compared({ lv: summary([1, 1, 1, 1], 20), passive: summary([2, 2, 2, 2], 20) });
   const result = {
+    source: "exact" as const,
     summaries,
     failed: [{ strategy: "lqr", message: "no controller" }],
     comparison: { baseline: "lv" } as unknown as Result["comparison"],
@@ -43,13 +44,40 @@ describe("the baseline", () => {
 
   it("stays the one that was chosen, shown or hidden or failed, and else is the service's", () => {
     expect(["passive", "lqr", "skyhook"].map((chosen) => baselineOf(result, chosen))).toEqual(["passive", "lqr", "lv"]);
+    const drive = "recording:one"; // nothing simulates it under a moving slider
+    expect([baselineOf({ ...result, source: "live" }, drive), baselineOf(result, drive)]).toEqual([drive, "lv"]);
   });
 
   it("can be chosen of all that the result has, and says where it is not shown", () => {
     const labels = (baseline: string) =>
-      possibleBaselines({ catalogue: ALL, ids: ["lv"], baseline, summaries }).map(({ label }) => label);
+      possibleBaselines({ catalogue: ALL, ids: ["lv"], baseline, summaries, shown }).map(({ label }) => label);
     expect(labels("passive")).toEqual(["LV", "Passive (hidden)"]);
     expect(labels("lqr")).toEqual(["LV", "LQR (failed)", "Passive (hidden)"]);
+  });
+});
+
+describe("the comparison before", () => {
+  const [now, comparison] = [{ scenario: { road: 1 }, baseline: "passive", isAsked: true }, {} as Comparison];
+  const last = { comparison, scenario: { road: 1 }, baseline: "passive" };
+
+  it("is shown while that of the same scenario and baseline is on its way, and else none", () => {
+    expect(shownComparison(undefined, last, now)).toEqual({ comparison, isOlder: true });
+    const others = [
+      { ...now, isAsked: false }, // refused, offline, or nothing to ask: a moving slider
+      { ...now, scenario: { road: 2 } },
+      { ...now, baseline: "recording:one" },
+    ];
+    for (const other of others)
+      expect(shownComparison(undefined, last, other)).toEqual({ comparison: undefined, isOlder: false });
+    expect(shownComparison(comparison, last, now)).toEqual({ comparison, isOlder: false });
+  });
+
+  it("with a recorded drive comes with the exact run, which is said", () => {
+    const shown = (source: string) => ({ source }) as unknown as Result;
+    const text = (source: string, baseline: string) =>
+      whyNoComparison({ shown: shown(source), baseline }, () => "drive.csv");
+    expect(text("live", "recording:one")).toBe("The comparison with drive.csv comes with the exact run.");
+    expect([text("exact", "recording:one"), text("live", "passive")]).toEqual(["", ""]);
   });
 });
 
