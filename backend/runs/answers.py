@@ -20,8 +20,10 @@ from backend.store import StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import PAPER_METRICS
 from sim_core.comparison.caution import Caution
+from sim_core.comparison.change import Change
 from sim_core.comparison.compare import Comparison, compare_summaries, default_baseline
 from sim_core.comparison.intervals import Interval
+from sim_core.comparison.rows import Row, changes_between, row_of
 from sim_core.scenario import Scenario, characteristics
 from sim_core.strategies import label_of
 
@@ -204,12 +206,41 @@ def changes_to_strategy(stored: StoredRun, baseline: str) -> JsonObject:
     return {"against": None, "baseline": baseline, "roads": stored.roads, "changes": changes}
 
 
+def metric_changes(stored: StoredRun, against: StoredRun) -> dict[str, dict[str, Change]]:
+    """Return by strategy and metric the changes of a run against another one, strategy by strategy.
+
+    Raises:
+        InvalidError: They are of several roads, and not of the same, or not of the same core version.
+    """
+    if (stored.roads, against.roads) != (1, 1):
+        _check_same_roads(stored, against)
+    rows, others = _rows(stored), _rows(against)
+    return {name: changes_between(row, others[name]) for name, row in rows.items() if name in others}
+
+
+def _rows(stored: StoredRun) -> dict[str, Row]:
+    """Return the row of each strategy that succeeded on every road."""
+    is_random = Scenario.model_validate(stored.scenario).is_random
+    return {
+        item.strategy: row_of(
+            item.strategy, [each.summary for each in stored.by_strategy[item.strategy]], is_random=is_random
+        )
+        for item in stored.shown
+    }
+
+
 def changes_to_run(stored: StoredRun, against: StoredRun) -> JsonObject:
     """What a run over several roads changes against another one, strategy by strategy.
 
     Raises:
         InvalidError: They are not of the same roads, or not of the same core version.
     """
+    _check_same_roads(stored, against)
+    changes = _plain_changes(paired_changes(_driven(stored), _driven(against)))
+    return {"against": against.id, "baseline": None, "roads": stored.roads, "changes": changes}
+
+
+def _check_same_roads(stored: StoredRun, against: StoredRun) -> None:
     seeds = [run.scenario["road"]["seed"] for run in (stored, against)]
     if (against.roads, seeds[1]) != (stored.roads, seeds[0]):
         message = f"Number of roads: {against.roads} from seed {seeds[1]}; of this run {stored.roads} from {seeds[0]}"
@@ -218,8 +249,6 @@ def changes_to_run(stored: StoredRun, against: StoredRun) -> JsonObject:
     if against.core_version != stored.core_version:
         message = f"Core {against.core_version} computed it, {stored.core_version} this run: request it again"
         raise InvalidError(message, parameter="against")
-    changes = _plain_changes(paired_changes(_driven(stored), _driven(against)))
-    return {"against": against.id, "baseline": None, "roads": stored.roads, "changes": changes}
 
 
 def _check_several(stored: StoredRun) -> None:

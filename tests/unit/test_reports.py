@@ -120,6 +120,9 @@ def facts(outcomes: dict[str, Outcome], **more: Any) -> RunFacts:
         "core_version": "1.2.3",
         "scenario": Scenario().model_dump(mode="json"),
         "strategies": entries,
+        "comparison": {
+            "cautions": [{"kind": "sag", "text": HOSTILE}, {"kind": "paper_sag", "text": "A sag as printed."}]
+        },
         **more,
     }
     when = datetime(2026, 1, 2, 3, 4, tzinfo=UTC)
@@ -128,6 +131,7 @@ def facts(outcomes: dict[str, Outcome], **more: Any) -> RunFacts:
         created_at=when,
         baseline="passive",
         against=None,
+        changes={},
         outcomes=outcomes,
         axis="position",
         gone=None,
@@ -189,7 +193,8 @@ def test_text_never_becomes_markup(outcomes: dict[str, Outcome]) -> None:
     check(root)
     assert len(list(root.all("script"))) == 3, "figures, plotly, and what draws them"
     assert not list(root.all("img"))
-    assert root.text.count("alert(1)") >= 10, "it is there, as text"
+    assert root.text.count("alert(1)") >= 11, "it is there, as text"
+    assert "A sag as printed." not in root.text, "the paper's own sag is no caution beside a result"
     assert "{{7*7}}" in next(root.all("h1")).text
 
 

@@ -5,8 +5,6 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
-from pydantic import ValidationError
-
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
 from backend.runs import figures
@@ -26,8 +24,7 @@ from sim_core.catalogue import (
     RUN_FIGURES,
     SIGNALS,
 )
-from sim_core.comparison.change import Change, change_on_one_road, change_over_roads
-from sim_core.comparison.intervals import Interval
+from sim_core.comparison.change import Change
 from sim_core.comparison.numbers import (
     NO_VALUE,
     NOTHING,
@@ -39,9 +36,7 @@ from sim_core.comparison.numbers import (
     significant,
     with_unit,
 )
-from sim_core.comparison.variation import one_road_resolution, variation_of_one_road
-from sim_core.scenario import Scenario
-from sim_core.scenario.recorded import recording_id
+from sim_core.comparison.vehicle_cautions import PAPER_SAG
 from sim_core.strategies import label_of
 
 WHOLE_RUN = (
@@ -49,7 +44,6 @@ WHOLE_RUN = (
     *RUN_FIGURES.items(),
     *((f"events.{key}", quantity) for key, quantity in EVENTS.items()),
 )
-NOT_COMPARED = {"arrival_speed_kmh", *(f"events.{key}" for key in EVENTS)}  # less of these is not always better
 TABLES = {
     "RMS on the rough road and peak on the bump": PAPER_SIGNALS,
     "Suspension travel and forces": METRIC_SIGNALS[len(PAPER_SIGNALS) :],
@@ -62,10 +56,12 @@ class RunFacts:
     """The contents of a report.
 
     Attributes:
-        answer: The run as it is answered; over several roads with the changes to show.
+        answer: The run as it is answered.
         created_at: When it was stored, UTC.
         baseline: Whose figures the changes refer to.
-        against: The run to whose figures, strategy by strategy, they refer instead; None where to the baseline's.
+        against: The id of the run to whose figures, strategy by strategy, they refer instead; None where to the
+            baseline's.
+        changes: Strategy -> metric, by its flat name -> its change, as `Comparison.changes` has them.
         outcomes: By strategy, with the time histories there are.
         axis: `position` or `time`, for x of the figures.
         gone: Why time histories there were cannot be had any more; None where they can.
@@ -74,7 +70,8 @@ class RunFacts:
     answer: JsonObject
     created_at: datetime
     baseline: str
-    against: JsonObject | None
+    against: str | None
+    changes: Mapping[str, Mapping[str, Change]]
     outcomes: Mapping[str, Outcome]
     axis: str
     gone: str | None
@@ -92,12 +89,7 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
     drawn = {name: framed(figures.filled(name, facts.outcomes, facts.axis)) for name in figures.PANELS}
     with_data = {name: figure for name, figure in drawn.items() if figure["data"]}
     roads = answer.get("roads", 1)
-    numbers = Numbers(
-        ran=ran,
-        changes=answer.get("changes", {}),
-        bases=_bases(ran, facts),
-        random=any(_is_random(each["scenario"]) for each in (answer, facts.against) if each),
-    )
+    numbers = Numbers(ran=ran, changes=facts.changes)
     values = {
         "run_id": answer["id"],
         "core_version": answer["core_version"],
@@ -106,7 +98,7 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
         "stored": f"{facts.created_at:%Y-%m-%d %H:%M} UTC",
         "strategies": [key_of(name) for name in entries],
         "baseline": None if facts.against else key_of(facts.baseline),
-        "against": f"run {facts.against['id']}, strategy by strategy" if facts.against else label_of(facts.baseline),
+        "against": f"run {facts.against}, strategy by strategy" if facts.against else label_of(facts.baseline),
         "drive": drive(answer["scenario"]),
         "roads": roads,
         "seed": answer["scenario"]["road"]["seed"],
@@ -117,6 +109,7 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
             for name, entry in entries.items()
             if (sentences := caveats(entry, answer["scenario"]["vehicle"]))
         ],
+        "cautions": [each["text"] for each in answer["comparison"]["cautions"] if each["kind"] != PAPER_SAG],
         "ran": [key_of(name) for name in ran],
         "requirements": [_required(each) for each in answer.get("requirement_results", [])],
         "tables": {
@@ -173,28 +166,16 @@ def drive(scenario: JsonObject) -> list[str]:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Base:
-    """What changes refer to: the entry of a strategy."""
-
-    of: str
-    entry: JsonObject
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
 class Numbers:
     """The strategies' metrics and their changes.
 
     Attributes:
         ran: By strategy its entry.
-        changes: By strategy its paired changes over several roads [%]; empty for a run of one.
-        bases: By strategy that is compared what its changes refer to.
-        random: Whether a change on one road may be random variation.
+        changes: Strategy -> metric -> its change; metrics that are not compared have none.
     """
 
     ran: JsonObject
-    changes: JsonObject
-    bases: Mapping[str, Base]
-    random: bool
+    changes: Mapping[str, Mapping[str, Change]]
 
     def cell(self, key: str, strategy: str, scale: float | None = None) -> JsonObject:
         """One value, and its change where it is compared.
@@ -208,7 +189,7 @@ class Numbers:
         value, half = _estimate(metric.of(self.ran[strategy]))
         number = isinstance(value, int | float) and not isinstance(value, bool)
         shown = in_words(value) if scale is None else significant(value * scale) if number else NO_VALUE
-        change = None if key in NOT_COMPARED else self._change(key, strategy, scale or 1.0)
+        change = self.changes.get(strategy, {}).get(key)
         percentage = None if change is None else change.change
         verdict = ""
         if change is not None and percentage is not None and change.beyond_variation:
@@ -219,41 +200,6 @@ class Numbers:
             "change": None if percentage is None or change is None else percent(percentage, _half(change)),
             "verdict": verdict,
         }
-
-    def _change(self, key: str, strategy: str, scale: float) -> Change | None:
-        """Return the change of a metric; None where it is not compared, or one of both does not have it."""
-        metric, base = METRICS[key], self.bases.get(strategy)
-        if base is None:
-            return None
-        value, other = (_estimate(metric.of(entry))[0] for entry in (self.ran[strategy], base.entry))
-        paired = self.changes.get(strategy, {})
-        interval = metric.of({"metrics": paired, **paired})
-        if not all(isinstance(each, int | float) and not isinstance(each, bool) for each in (value, other)):
-            return None
-        if isinstance(interval, Mapping):
-            ends = Interval(value=interval["mean"], low=interval["low"], high=interval["high"])
-            return change_over_roads(ends, value, other, scale=scale)
-        both = strategy, base.of
-        is_random = self.random or any(recording_id(name) is not None for name in both)
-        variation = variation_of_one_road(key, map(one_road_resolution, both)) if is_random and not paired else 0.0
-        return change_on_one_road(value, other, scale=scale, variation=variation)
-
-
-def _is_random(scenario: JsonObject) -> bool:
-    """Whether another seed would give another result; also of a scenario that this version does not take."""
-    try:
-        return Scenario.model_validate(scenario).is_random
-    except ValidationError:
-        return True
-
-
-def _bases(ran: JsonObject, facts: RunFacts) -> dict[str, Base]:
-    """By strategy what its changes refer to: the baseline, or itself in another run."""
-    if facts.against is None:
-        base = ran.get(facts.baseline)
-        return {name: Base(of=facts.baseline, entry=base) for name in ran if base and name != facts.baseline}
-    others = facts.against["strategies"]
-    return {name: Base(of=name, entry=others[name]) for name in ran if others.get(name, {}).get("status") == "ok"}
 
 
 def _half(change: Change) -> float:

@@ -7,9 +7,8 @@ from functools import partial
 
 from backend.errors import GoneError
 from backend.gate import Gate
-from backend.json_types import JsonObject
 from backend.requirements import Requirement
-from backend.runs.answers import as_plain, changes_to_run, run_answer
+from backend.runs.answers import as_plain, metric_changes, run_answer
 from backend.runs.histories import Histories
 from backend.runs.reports import page
 from backend.runs.reports import run as run_report
@@ -64,18 +63,17 @@ class RunReports:
             gone = error.message
         base = baseline or stored.baseline or default_baseline(names)
         judged = partial(run_answer, stored, requirements=requirements, baseline=baseline)
-        answer = await asyncio.to_thread(lambda: as_plain(judged()))
-        other: JsonObject | None = None
+        answer = await asyncio.to_thread(judged)
+        changes = answer["comparison"].changes
         if against is not None:
             run = await self.runs.reference(against, client)
-            other = await asyncio.to_thread(lambda: as_plain(run_answer(run)))
-            if stored.roads > 1 or run.roads > 1:
-                answer["changes"] = (await asyncio.to_thread(changes_to_run, stored, run))["changes"]
+            changes = await asyncio.to_thread(metric_changes, stored, run)
         facts = run_report.RunFacts(
-            answer=answer,
+            answer=as_plain(answer),
             created_at=stored.created_at,
             baseline=base,
-            against=other,
+            against=against,
+            changes=changes,
             outcomes=outcomes,
             axis=axis,
             gone=gone,
