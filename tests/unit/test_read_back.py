@@ -69,7 +69,7 @@ def numbers(result: StrategyResult) -> dict[str, float | None]:
     ],
 )
 def test_a_runs_own_export_has_its_own_metrics(name: str, strategy: str) -> None:
-    """Within 0.3 %: the power is of a deflection whose rate a recording does not have, all else is a tenth of that."""
+    """Within 0.5 %: the power is of a deflection whose rate a recording does not have, all else is a tenth of that."""
     scenario = SCENARIOS[name]
     result = simulate(scenario, strategy)
     export = exports.Export(
@@ -85,9 +85,9 @@ def test_a_runs_own_export_has_its_own_metrics(name: str, strategy: str) -> None
     recording = there(found.recording)
     reference = strategy.removesuffix("_hil")  # the ECU drives LV's controller, with arithmetic of its own
     assert (recording.reference, recording.offset, recording.scale) == (reference, 0, 1)
-    assert there(recording.likeness) > (0.999 if reference == strategy else 0.998)
+    assert there(recording.likeness) > (0.999 if reference == strategy else 0.98)
     ours, theirs = numbers(found), numbers(result)
     lacking = {key for each in (ours, theirs) for key, value in each.items() if value is None or isnan(value)}
     assert not lacking, "both have every metric, on a flat bump too"
     for key, value in theirs.items():
-        assert ours[key] == pytest.approx(value, rel=0.003 if "power" in key else 5e-4, abs=1e-6), key
+        assert ours[key] == pytest.approx(value, rel=0.005 if "power" in key else 5e-4, abs=1e-6), key
