@@ -18,7 +18,7 @@ from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Road, Scenario
 from sim_core.scenario.access import accessed
 from sim_core.simulate import simulate
-from sim_core.strategies import STRATEGIES, make_controller, reads_in, resolve_speed_plan, strategy_named
+from sim_core.strategies import STRATEGIES, make_controller, reads_in, speed_plan_on, strategy_named
 from sim_core.strategies.reads import CLASS_VALUES, dependencies, is_within
 from sim_core.vehicle.model import SemiActiveDampers
 
@@ -114,7 +114,7 @@ def _undeclared(scenario: Scenario, controller: type[Controller] | Controller, k
     _, looked_at = accessed(scenario, lambda recording: simulate(recording, controller))
     known: tuple[str, ...] = reads_in(scenario, kind)
     if isinstance(controller, Controller):  # an object may be given another preview than its class has
-        plan = resolve_speed_plan(kind, scenario.speed.policy)
+        plan = speed_plan_on(kind, scenario)
         known += dependencies(kind, plan, controller.for_scenario(scenario).preview)
     yield from (name for name in looked_at - {"speed.policy"} if not any(is_within(name, each) for each in known))
 

@@ -19,7 +19,9 @@ class PresetAnswer(Answer):
 class ConditionAnswer(Answer):
     """That a field of the scenario has one of some values."""
 
-    field: str = Field(description="Its dotted name")
+    field: str = Field(
+        description="Its dotted name; `road.has_bump` is no field, but whether the bump's end is on the road"
+    )
     values: list[str | bool | float | None] = Field(description="One of these")
     excluded: bool = Field(description="Whether it must have none of them instead")
 

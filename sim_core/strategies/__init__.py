@@ -148,10 +148,9 @@ def reads(strategy: type[Controller], policy: str = "by_strategy") -> tuple[str,
 def reads_in(scenario: Scenario, strategy: type[Controller]) -> tuple[str, ...]:
     """Dotted names of what a strategy's result depends on under a scenario, with the preview that it has there.
 
-    The speed policy, which decides the speed plan, is not among them.
+    The speed policy, which decides the speed plan on a road with a bump, is not among them.
     """
-    plan = resolve_speed_plan(strategy, scenario.speed.policy)
-    return dependencies(strategy, plan, effective_preview(strategy, scenario))
+    return dependencies(strategy, speed_plan_on(strategy, scenario), effective_preview(strategy, scenario))
 
 
 def values_read(

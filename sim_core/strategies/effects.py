@@ -4,7 +4,7 @@
 sensor's noise with the filter that uses it: `conditional_reads` says with which.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import chain, product
@@ -12,7 +12,7 @@ from typing import Any, get_args
 
 from sim_core.control.controller import Controller, option_name
 from sim_core.control.declared import ScenarioField
-from sim_core.scenario import Speed, dotted
+from sim_core.scenario import Bump, Speed, dotted
 from sim_core.strategies import STRATEGIES, reads, resolve_speed_plan
 from sim_core.strategies.reads import PREVIEW, READS_MOST, by_parts, effective_preview, is_set_by_field
 
@@ -23,6 +23,8 @@ _BRAKING = {"vehicle.cg_height", "vehicle.anti_dive", "vehicle.anti_lift", "vehi
 _EXPECTED = "expected_offset", "expected_noise"
 _KNOWS_PREVIEW = "estimation.knows_preview"
 _DETECTION = "speed.detection_distance"  # where braking begins, too
+HAS_BUMP = "road.has_bump"  # no field: it follows from several, as `Road.has_bump` does
+_PLACE = ("start", "width", "count", "spacing")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,13 +43,26 @@ class Condition:
 
     def holds(self, scenario: Mapping[str, Any], changes: Mapping[str, Any] | None = None) -> bool:
         """Check whether a complete plain scenario, with these fields changed, has such a value."""
-        value = (changes or {}).get(self.field, dotted.value(scenario, self.field))
+        changes = changes or {}
+        if self.field == HAS_BUMP:
+            value = _has_bump(lambda name: changes.get(name, dotted.value(scenario, name)))
+        else:
+            value = changes.get(self.field, dotted.value(scenario, self.field))
         return (value in self.values) is not self.excluded
 
     def __str__(self) -> str:
         """Return it as a script would write it: `mpc.preview = lookahead or obstacle`."""
+        if self.field == HAS_BUMP:
+            return "a bump that ends on the road"
         values = " or ".join("none" if each is None else str(each) for each in self.values)
         return f"{self.field} {'other than' if self.excluded else '='} {values}"
+
+
+def _has_bump(value: Callable[[str], Any]) -> bool:
+    """Check whether a road has a place of a bump, by the value of each field."""
+    start, width, count, spacing = (value(f"road.bump.{name}") for name in _PLACE)
+    end = Bump.model_construct(start=start, width=width, count=count, spacing=spacing).end
+    return bool(end <= value("road.length"))
 
 
 Alternatives = tuple[tuple[Condition, ...], ...]  # one of them is enough, with all its conditions
@@ -99,7 +114,12 @@ def _with_policies(strategy: type[Controller]) -> dict[str, Alternatives]:
         for name in chain.from_iterable(map(_leaves, reads(strategy, policy))):
             if name not in idle:
                 policies.setdefault(name, []).append(policy)
-    return {name: _ALWAYS if len(some) == len(_POLICIES) else _is(_POLICY, *some) for name, some in policies.items()}
+    return {name: _ALWAYS if len(some) == len(_POLICIES) else _braking_at(some) for name, some in policies.items()}
+
+
+def _braking_at(policies: Sequence[str]) -> Alternatives:
+    """Return the conditions under which a car brakes: one of these speed policies, and a bump."""
+    return _all(_is(_POLICY, *policies), _is(HAS_BUMP, True))
 
 
 @cache
@@ -129,10 +149,12 @@ def _of_road(strategy: type[Controller]) -> dict[str, Alternatives]:
     """The road's: a measured one has neither roughness nor seed, but a filter and a trusting preview expect them."""
     made, filtered, ahead = _is("road.profile", None), _filtered(strategy), _previews(strategy, "lookahead")
     trusting = _all(ahead, _any(*(_is_not(f"mpc.{name}", 0) for name in _EXPECTED)))
-    noisy = _all(ahead, _is_not("mismatch.preview_noise", 0))
+    noisy, bump = _all(ahead, _is_not("mismatch.preview_noise", 0)), _is(HAS_BUMP, True)
     return {
+        **{f"road.bump.{name}": bump for name in _PLACE},
+        _POLICY: bump,
         "road.bump.shape": _is_not("road.bump.height", 0),
-        "road.bump.spacing": _is_not("road.bump.count", 1),
+        "road.bump.spacing": _all(bump, _is_not("road.bump.count", 1)),
         "road.roughness": _any(made, filtered, trusting),
         "road.seed": _any(_all(made, _is_not("road.roughness", 0)), filtered, noisy),
     }
@@ -151,7 +173,7 @@ def _of_sensors(strategy: type[Controller]) -> dict[str, Alternatives]:
     modes = {name: [mode for mode, names in PREVIEW.items() if name in names] for name in PREVIEW[READS_MOST]}
     needs = {name: _previews(strategy, *those) for name, those in modes.items()}
     braking = [policy for policy in _POLICIES if resolve_speed_plan(strategy, policy) == "planned"]
-    needs[_DETECTION] = _any(_is(_POLICY, *braking), needs[_DETECTION])
+    needs[_DETECTION] = _any(_braking_at(braking), needs[_DETECTION])
     return needs | {_KNOWS_PREVIEW: _all(_filtered(strategy), needs[_KNOWS_PREVIEW])}
 
 
@@ -191,7 +213,7 @@ def _is_not(field: str, *values: Any) -> Alternatives:
 
 def _all(*needs: Alternatives) -> Alternatives:
     """All of several needs: each alternative of one with each of the others."""
-    return tuple(tuple(condition for part in parts for condition in part) for parts in product(*needs))
+    return tuple(tuple(dict.fromkeys(chain.from_iterable(parts))) for parts in product(*needs))
 
 
 def _any(*needs: Alternatives) -> Alternatives:

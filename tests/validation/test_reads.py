@@ -120,7 +120,8 @@ def is_read(strategy: str, path: tuple[str, ...]) -> bool:
 
 def same(one: StrategyResult, two: StrategyResult) -> bool:
     """Bit for bit: every figure and every sample."""
-    return one.summary() == two.summary() and all(
+    # By their texts: without a bump the speed there is not a number, which equals nothing.
+    return repr(one.summary()) == repr(two.summary()) and all(
         np.array_equal(one.series[name], two.series[name]) for name in one.series
     )
 
@@ -223,8 +224,20 @@ VARIANTS: dict[str, dict[str, Any]] = {
     "at constant speed": {"speed.policy": "constant"},
     "slowed down": {"speed.policy": "planned"},
     "level": {"road.bump.height": 0, "road.roughness": 0, "hil.noise": 0, "hil.jitter": 0, "hil.packet_loss": 0},
+    "no bump": {"road.bump.height": 0, "road.bump.start": 100},
     "one bump": {"road.bump.count": 1, "vehicle.anti_dive": 0, "vehicle.anti_lift": 0},
     "stops": {"vehicle.bump_stop_clearance": 0.02, "hook.semi_active": True},
+}
+
+
+ONLY_WITH_A_BUMP = {
+    "speed.policy",
+    "speed.target_speed_kmh",
+    "road.bump.start",
+    "road.bump.width",
+    "road.bump.count",
+    "road.bump.spacing",
+    "brake.friction_coefficient",
 }
 
 
@@ -250,6 +263,8 @@ def test_a_field_has_an_effect_only_where_the_conditions_of_its_reading_hold(str
             has_effect = any(all(each.holds(plain) for each in group.conditions) for group in covering)
             if has_effect and name in effective:
                 continue
+            if variant == "no bump" and name in ONLY_WITH_A_BUMP:
+                assert not has_effect, name
             unchanged = same(simulate(with_leaf(path, scenario), strategy), base)
             assert unchanged or has_effect, (variant, name)
             (silent if unchanged else effective).add(name)

@@ -21,7 +21,18 @@ const choice = (title: string, ...options: string[]): JsonObject => ({
 const part = (title: string, properties: JsonObject): JsonObject => ({ type: "object", title, properties });
 const form = readSchema(
   part("Scenario", {
-    road: part("Road", { height: number("Height", 1), shape: choice("Shape", "round", "flat") }),
+    road: part("Road", {
+      height: number("Height", 1),
+      shape: choice("Shape", "round", "flat"),
+      length: number("Length", 9),
+      bump: part("Bump", {
+        start: number("Position", 5),
+        width: number("Width", 1),
+        count: number("Bumps", 2),
+        spacing: number("Spacing", 3),
+      }),
+    }),
+    speed: part("Speed", { target: number("Target") }),
     state: part("State estimation", { kind: choice("State", "exact", "kalman"), noise: number("Noise") }),
     mpc: part("MPC", { preview: choice("Preview", "lookahead", "none"), weight: number("Weight") }),
     own: part("Own", { mine: part("Mine", { preview: choice("Mine: preview", "none", "lookahead") }) }),
@@ -35,7 +46,8 @@ const shape = { fields: ["road.shape"], conditions: [{ field: "road.height", val
 const noise = { fields: ["state.noise"], conditions: [is("state.kind", "kalman")] };
 const both = { fields: ["ecu.delay"], conditions: [is("state.kind", "kalman"), is("mpc.preview", "lookahead")] };
 const mpc = { fields: ["mpc"], conditions: [] };
-const LV: Reading = { id: "lv", label: "LV", reads_when: [always, shape, noise, mpc, both] };
+const target = { fields: ["speed.target"], conditions: [{ field: "road.has_bump", values: [true], excluded: false }] };
+const LV: Reading = { id: "lv", label: "LV", reads_when: [always, shape, noise, mpc, both, target] };
 const ECU: Reading = { id: "ecu", label: "ECU", reads_when: [always, shape, mpc, { fields: ["ecu"], conditions: [] }] };
 const PASSIVE: Reading = { id: "passive", label: "Passive", reads_when: [always, shape] };
 const strategies = [LV, ECU, PASSIVE];
@@ -52,6 +64,15 @@ it("a field that no shown strategy uses says who does, as strategies come and go
   expect(say("/mpc/weight", ["recording:a"])).toBeNull();
   const many = ["A", "B", "C", "D", "E"].map((label) => ({ ...ECU, id: label, label }));
   expect(say("/ecu/bits", ["lv"], {}, [LV, ...many])).toBe("No shown strategy uses this. A, B, C and 2 more do.");
+});
+
+it("what only a bump on the road gives an effect says so, as the bump and the road's end move", () => {
+  expect(say("/speed/target", ["lv"])).toBeNull();
+  const road = (length: number, start: number) => ({
+    road: { length, bump: { start, width: 1, count: 2, spacing: 3 } },
+  });
+  expect(say("/speed/target", ["lv"], road(9, 5.5))).toBe("Used only with a bump that ends on the road");
+  expect(say("/speed/target", ["lv"], road(9.5, 5.5))).toBeNull();
 });
 
 it("a field that other values leave without effect says which, as they change", () => {

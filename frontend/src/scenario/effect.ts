@@ -35,11 +35,22 @@ export interface Edited {
   readonly scenario: Scenario;
 }
 
-function holds({ field, values, excluded }: Condition, { form, scenario }: Edited): boolean {
-  const pointer = pointerOf(field);
-  const value = getAt(scenario, pointer) ?? defaultIn(form, pointer);
+/** No field: it follows from several. */
+const HAS_BUMP = "road.has_bump";
+
+function holds({ field, values, excluded }: Condition, edited: Edited): boolean {
+  const value = field === HAS_BUMP ? hasBump(edited) : valueAt(pointerOf(field), edited);
   return values.some((each) => sameValue(each, value)) !== excluded;
 }
+
+function hasBump(edited: Edited): boolean {
+  const bump = (name: string) => Number(valueAt(`/road/bump/${name}`, edited));
+  const end = bump("start") + (bump("count") - 1) * bump("spacing") + bump("width");
+  return end <= Number(valueAt("/road/length", edited));
+}
+
+const valueAt = (pointer: Pointer, { form, scenario }: Edited): JsonValue =>
+  getAt(scenario, pointer) ?? defaultIn(form, pointer);
 
 function defaultIn(form: Group, pointer: Pointer): JsonValue {
   const member = pointer.startsWith(OWN) ? findMember(form, pointer) : undefined;
@@ -101,6 +112,7 @@ function saidOf(need: Need, pointer: Pointer, form: Group): string {
 }
 
 function conditionText({ field, values }: Condition, pointer: Pointer, form: Group): string {
+  if (field === HAS_BUMP) return "a bump that ends on the road";
   const place = pointerOf(field);
   const named = namedLeaves(form).find(({ leaf }) => leaf.pointer === place);
   if (!named) return `${field}: ${values.join(" or ")}`;
