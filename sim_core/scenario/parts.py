@@ -251,7 +251,8 @@ class Scenario(Part):
     def on(self, measured: MeasuredRoad) -> "Scenario":
         """The scenario with the heights of the measured road that `road.profile` names, without which it is not driven.
 
-        Where it was given no `road.length`, it has the profile's from here on.
+        Where it was given no `road.length`, it has the profile's from here on. A bump of height 0 that was given no
+        place has none.
 
         Raises:
             RidelabError: It is another road, or the bump is not on a road of that length.
@@ -262,6 +263,8 @@ class Scenario(Part):
             raise RefusedError(message, field="road.profile")
         road = self.road.model_copy(update={"length": measured.length} if self.road.ends_with_profile else None)
         road._measured = measured
+        if not road.bump.height and "start" not in road.bump.model_fields_set:
+            road = road.model_copy(update={"bump": road.bump.model_copy(update={"start": road.length})})
         if road.bump.height and not road.has_bump:
             lengths = f"the bump ends at {road.bump.end:g} m, the measured road at {road.length:g} m"
             raise RefusedError(f"{_BUMP_BEYOND}; {lengths}", field="road.bump.start")

@@ -26,8 +26,9 @@ class Bump(Part):
     height: Annotated[float, quantity("m", soft=(-0.15, 0.2), ge=-1, le=1, shown="cm")] = field(
         0.1,
         "Height",
-        "Crest height; negative is a pothole. 0 adds none: cars still slow down for its place, which may be that of a "
-        "bump in a measured profile, and metrics have a window there; a place beyond the road's end is none.",
+        "Crest height; negative is a pothole. 0 adds no bump, but cars still slow down for its position, which may be "
+        "that of a bump in a measured profile, and metrics have a window there. Beyond the road's end, or where a "
+        "measured profile is given no position, there is no bump at all.",
     )
     width: Annotated[float, quantity("m", soft=(0.3, 10), ge=0.05, le=100)] = field(
         4, "Width", "Length along the road."

@@ -151,7 +151,8 @@ def _unseen(scenario: Scenario, mode: Preview, speed: float) -> tuple[float, flo
     if mode == "lookahead":
         road, expected = scenario.road, expected_errors(scenario.mpc)
         share = unseen_share(scenario.vehicle, road.roughness, speed, expected, road.rear_axle)
-        return share, share
+        beyond = speed * scenario.mpc.sample_time - scenario.speed.detection_distance  # what a step begins to see
+        return 1.0 if beyond > 0 else share, 1.0 if beyond > scenario.rear_axle_offset else share
     return NOTHING_SEEN
 
 

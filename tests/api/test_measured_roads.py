@@ -358,8 +358,10 @@ def test_a_road_of_an_older_version_has_no_indices_until_its_file_comes_again(
     assert service.get(address).json()["iri"] == road["iri"]
 
 
-def test_a_short_road_without_a_bump_is_driven_and_has_no_metrics_of_one(service: Service) -> None:
-    road = send(service, HEAD + "".join(f"{x:.1f},{6 * np.cos(x):.2f}\n" for x in X[:601])).json()["id"]
+@pytest.mark.parametrize("length", [60, 180])
+def test_a_road_without_a_bump_is_driven_and_has_no_metrics_of_one(service: Service, length: int) -> None:
+    heights = "".join(f"{0.1 * k:.1f},{6 * np.cos(0.1 * k):.2f}\n" for k in range(10 * length + 1))
+    road = send(service, HEAD + heights).json()["id"]
     scenario: dict[str, Any] = {"road": {"profile": road, "bump": {"height": 0}}}
     run = service.run(["lv", "passive"], scenario).raise_for_status().json()
     live = service.live(["lv"], scenario).raise_for_status().json()

@@ -191,6 +191,20 @@ def test_the_error_on_a_road_is_the_filters_own_covariance(scenario: Scenario, m
     assert (error < 0.7 * state[200:].std(axis=0)).sum() >= 6
 
 
+def test_road_beyond_the_detection_distance_is_unknown_to_the_filter() -> None:
+    """A control step is 1.25 m, sensors see 1 m: the front axle's road is unknown, the rear one's has been passed.
+
+    The body is then known as well as with wheelbase preview, and not worse, as where all counted as seen.
+    """
+    speed = Speed(initial_speed_kmh=90, detection_distance=1, policy="constant")
+    errors = {}
+    for mode in ("lookahead", "wheelbase"):
+        mpc = Mpc(preview=mode, sample_time=0.05)
+        _, trajectory = driven(LONG.model_copy(update={"speed": speed, "mpc": mpc}), "suspension_only")
+        errors[mode] = (trajectory.loop[:-1, :8] - trajectory.loop[:-1, 8:-2])[200:].std(axis=0)
+    np.testing.assert_allclose(errors["lookahead"], errors["wheelbase"], rtol=0.05)
+
+
 @pytest.mark.parametrize(("offset", "noise"), [(0.3, 0.0), (0.0, 0.003), (0.2, 0.002)])
 def test_where_sensors_err_as_expected_the_body_is_known_as_well_as_claimed(offset: float, noise: float) -> None:
     """Its velocity is what the unseen part of the road is measured by; the wheels are known less well than claimed."""

@@ -59,7 +59,7 @@ def test_a_measured_road_drives_as_the_road_it_was_measured_on(strategy: str) ->
     Level before its first height, where the made road has its run-in: the windows are those of the bump.
     """
     original = Scenario(road=Road(roughness=16e-6, length=150))
-    measured, flat = measured_on(original.road), Bump(height=0)
+    measured, flat = measured_on(original.road), Bump(height=0, start=100)
     on_it = Scenario(road=original.road.model_copy(update={"bump": flat, "profile": measured.id}), speed=original.speed)
     ours = simulate(on_it.on(measured), strategy).metrics["bump"]
     theirs = simulate(original, strategy).metrics["bump"]
@@ -161,6 +161,15 @@ def test_a_bump_of_height_0_has_no_place_beyond_the_roads_end(strategy: str, sta
     ]
     assert np.isnan(values).all()
     assert result.metrics["rough_road"] == result.metrics["whole"]
+
+
+@pytest.mark.parametrize("length", [60, 180])
+def test_a_measured_road_without_a_bump_has_none_at_any_length_unless_a_place_is_given(length: float) -> None:
+    road = measured_on(Road(bump=Bump(height=0)), length=length)
+    scenario = Scenario(road=Road(profile=road.id, bump=Bump(height=0))).on(road)
+    assert [span.stage for span in simulate(scenario, "lv").stages] == ["cruise"]
+    placed = Scenario(road=Road(profile=road.id, bump=Bump(height=0, start=40))).on(road)
+    assert "bump" in [span.stage for span in simulate(placed, "lv").stages]
 
 
 def test_a_bump_behind_the_end_of_a_measured_road_is_refused_at_its_field() -> None:
