@@ -16,10 +16,11 @@ from sim_core.errors import ForceError, RidelabError
 from sim_core.loop.closed_loop import checked_force
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Road, Scenario
-from sim_core.scenario.access import accessed
+from sim_core.scenario.access import record_accesses
+from sim_core.scenario.dotted import is_within
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES, make_controller, reads_in, speed_plan_on, strategy_named
-from sim_core.strategies.reads import CLASS_VALUES, dependencies, is_within
+from sim_core.strategies.reads import CLASS_ATTRIBUTES, dependencies
 from sim_core.vehicle.model import SemiActiveDampers
 
 _SHORT = Scenario(road=Road(length=60, bump=Bump(start=30)))
@@ -85,8 +86,8 @@ def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> li
     if not _close(first, by_force):
         return ["force and linear_law give different forces where no limit binds"]
     return [
-        f"It looks at {name} of the scenario, which is none of its fields: where that changes, stored results stay as "
-        f'they are; make it a field by scenario_field("{name}")'
+        f"It reads scenario field {name} without declaring it, so stored results would not be recomputed when {name} "
+        f'changes; declare it with scenario_field("{name}")'
         for name in undeclared
     ]
 
@@ -111,7 +112,7 @@ def undeclared_reads(scenario: Scenario, controller: type[Controller] | Controll
 
 def _undeclared(scenario: Scenario, controller: type[Controller] | Controller, kind: type[Controller]) -> Iterator[str]:
     """Yield those that it looks at in one scenario."""
-    _, looked_at = accessed(scenario, lambda recording: simulate(recording, controller))
+    _, looked_at = record_accesses(scenario, lambda recording: simulate(recording, controller))
     known: tuple[str, ...] = reads_in(scenario, kind)
     if isinstance(controller, Controller):  # an object may be given another preview than its class has
         plan = speed_plan_on(kind, scenario)
@@ -122,7 +123,7 @@ def _undeclared(scenario: Scenario, controller: type[Controller] | Controller, k
 def declaration_faults(kind: type[Controller]) -> list[str]:
     """What is wrong with its id, label, description and fields."""
     if taken := [name for name in kind.declared if not _may_be_declared(name)]:
-        return [f"{name}: every controller has something of that name: call the option otherwise" for name in taken]
+        return [f"{name}: this name is used by Controller itself; rename the option" for name in taken]
     wrong = []
     name: object = kind.id  # a visitor's class may hold anything
     label: object = kind.label
@@ -168,7 +169,7 @@ def failure(error: BaseException, controller: type[Controller] | Controller) -> 
 
 def _by_force(other: Controller) -> Controller:
     """Return another controller that is driven alike, but asked in each step although it has a law."""
-    kind: type[_ByForce] = type("_ByForce", (_ByForce,), {name: getattr(other, name) for name in CLASS_VALUES})
+    kind: type[_ByForce] = type("_ByForce", (_ByForce,), {name: getattr(other, name) for name in CLASS_ATTRIBUTES})
     return kind(other)
 
 

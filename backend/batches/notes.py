@@ -69,7 +69,7 @@ def _without_effect(
         using = [name for name in names if any(_reads(reads(strategy_named(name), each), field) for each in policies)]
         groups = [group for name in using for group in conditional_reads(strategy_named(name))]
         needed = [group.conditions for group in groups if _reads(group.fields, field)]
-        if needed and not any(all(each.holds(base, point) for each in need) for need in needed for point in points):
+        if needed and not any(all(each.is_met(base, point) for each in need) for need in needed for point in points):
             fewest = min(needed, key=len)
             conditions = " and ".join(map(str, fewest))
             yield f"{dotted.field(field).title} is used only with {conditions}, which no point has"
@@ -86,7 +86,7 @@ def _overruled(base: JsonObject, swept: Sequence[str]) -> list[str]:
 
 def _reads(read: Sequence[str], field: str) -> bool:
     """Whether the field, a part of it, or the part it lies in is read."""
-    return any(f"{field}.".startswith(f"{each}.") or each.startswith(f"{field}.") for each in read)
+    return any(dotted.is_within(field, each) or dotted.is_within(each, field) for each in read)
 
 
 def _clamped(

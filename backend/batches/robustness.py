@@ -12,8 +12,8 @@ from backend.batches.summary_models import RobustnessDefaults, UncertainRange
 from backend.json_types import JsonObject
 from sim_core.catalogue import LIMITS_EXCEEDED, PAPER_METRICS
 from sim_core.scenario import Scenario, dotted
+from sim_core.scenario.dotted import is_within
 from sim_core.strategies import reads, reads_in, strategies
-from sim_core.strategies.reads import is_within
 
 SAMPLES = 200
 BASELINE = "lv"

@@ -77,7 +77,7 @@ def takes_previews(strategy: str) -> bool:
 
 
 def _is_read(name: str, law: type[Controller]) -> bool:
-    return any(name == each or name.startswith(f"{each}.") for each in reads(law))
+    return any(dotted.is_within(name, each) for each in reads(law))
 
 
 def default_search(strategy: str) -> dict[str, tuple[float, float]]:

@@ -180,7 +180,7 @@ class Controller:
         law = self.linear_law(seen.stage)
         if law is None:
             raise undefined(self, "force(seen) or linear_law(stage)")
-        return law_force(law, seen)
+        return linear_force(law, seen)
 
     def linear_law(self, stage: str) -> LinearLaw | None:
         """The law of a driving stage while no limit binds; None for a controller that is not linear.
@@ -243,7 +243,7 @@ class Controller:
         return scenario.own.of(self.id).get(name, field.default)
 
 
-def law_force(law: LinearLaw, seen: Seen) -> FloatArray:
+def linear_force(law: LinearLaw, seen: Seen) -> FloatArray:
     """Return a law's forces for what is seen (2,) [N]; one without `preview_gain` needs no preview."""
     disturbances = None if law.preview_gain is None else seen.disturbances
     return law.force(seen.state, seen.previous_force, disturbances)

@@ -7,7 +7,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.blas import one_thread
-from sim_core.control.controller import Controller, law_force
+from sim_core.control.controller import Controller, linear_force
 from sim_core.control.law import LinearLaw
 from sim_core.control.plan import Limit, Plan
 from sim_core.control.seen import Seen
@@ -147,7 +147,7 @@ def _instant(drive: Drive, seen: Seen, law: LinearLaw | None, plan: Plan | None)
     row, size = step * run.steps.short, drive.recording.car.size
     asked: FloatArray | None = trajectory.asked[step]
     if np.isnan(trajectory.asked[step]).any():
-        asked = None if law is None else law_force(law, seen)
+        asked = None if law is None else linear_force(law, seen)
         asked = asked if plan is None else plan.forces[0]
     lagging = size % STATES
     real = trajectory.loop[row, size - lagging - STATES : size - lagging]

@@ -37,7 +37,7 @@ def run_dampers(scenario: Scenario, controller: Controller) -> SemiActiveDampers
     if dampers is None:
         return None
     if not controller.actuated:
-        raise RefusedError(f"{controller.label}: one that sets dampers is actuated")
+        raise RefusedError(f"{controller.label}: a controller with dampers() must have actuated = True")
     return replace(dampers, most_force=min(scenario.mpc.force_limit, scenario.actuator.saturation or inf))
 
 

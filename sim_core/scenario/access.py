@@ -15,7 +15,7 @@ _accessed: ContextVar[set[str] | None] = ContextVar("accessed", default=None)
 _PYDANTIC = ("__pydantic_fields_set__", "__pydantic_extra__", "__pydantic_private__")
 
 
-def accessed(scenario: Scenario, function: Callable[[Scenario], T]) -> tuple[T, set[str]]:
+def record_accesses(scenario: Scenario, function: Callable[[Scenario], T]) -> tuple[T, set[str]]:
     """Return `function(scenario)`, and the dotted names of the scenario's fields that were looked at meanwhile.
 
     It is called with a copy whose parts no cache knows, so that nothing that was computed for the scenario before takes
@@ -24,15 +24,15 @@ def accessed(scenario: Scenario, function: Callable[[Scenario], T]) -> tuple[T, 
     names: set[str] = set()
     token = _accessed.set(names)
     try:
-        return function(_recording(scenario, "")), names
+        return function(_tracking_copy(scenario, "")), names
     finally:
         _accessed.reset(token)
 
 
-def _recording(part: Part, prefix: str) -> Any:
+def _tracking_copy(part: Part, prefix: str) -> Any:
     """Return a copy of a part, and of the parts in it, that records which of its fields are looked at."""
     values = {
-        name: _recording(value, f"{prefix}{name}.") if isinstance(value, Part) else value
+        name: _tracking_copy(value, f"{prefix}{name}.") if isinstance(value, Part) else value
         for name, value in vars(part).items()
     }
     return _made(_recording_class(type(part), prefix), part, values)

@@ -127,6 +127,11 @@ def value(scenario: Mapping[str, Any], name: str) -> Any:
     return part
 
 
+def is_within(name: str, part: str) -> bool:
+    """Check whether a dotted name is that of a part or field, or of something in it."""
+    return f"{name}.".startswith(f"{part}.")
+
+
 def with_changes(scenario: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
     """A copy of a complete plain scenario with these fields, or whole parts, changed; it shares what is not changed.
 
@@ -142,7 +147,7 @@ def with_changes(scenario: Mapping[str, Any], changes: Mapping[str, Any]) -> dic
     changed = dict(scenario)
     for name, value in changes.items():
         fields = scenario_fields()
-        if name not in fields and not is_option(name) and not any(each.startswith(f"{name}.") for each in fields):
+        if name not in fields and not is_option(name) and not any(is_within(each, name) for each in fields):
             raise _unknown(name)
         *parts, last = name.split(".")
         part: Any = changed

@@ -18,7 +18,7 @@ from sim_core.strategies.lqr import Lqr
 from sim_core.strategies.lv import Lv
 from sim_core.strategies.lv_hil import LvHil
 from sim_core.strategies.passive import Passive, SpeedOnly
-from sim_core.strategies.reads import CLASS_VALUES, dependencies, effective_preview
+from sim_core.strategies.reads import CLASS_ATTRIBUTES, dependencies, effective_preview
 from sim_core.strategies.skyhook import Skyhook
 from sim_core.strategies.suspension_only import SuspensionOnly
 
@@ -106,9 +106,9 @@ def controller_for(strategy: str | type[Controller] | Controller, scenario: Scen
             is driven.
     """
     controller = make_controller(strategy).for_scenario(scenario)
-    for name in CLASS_VALUES:
+    for name in CLASS_ATTRIBUTES:
         if getattr(controller, name) != getattr(type(controller), name):
-            raise RefusedError(f"{controller.label}: {name} is a plain value of the class, for all of its objects")
+            raise RefusedError(f"{controller.label}: set {name} on the class, not on objects")
     return controller
 
 

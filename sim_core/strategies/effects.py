@@ -1,4 +1,4 @@
-"""With which values of other fields a strategy's result depends on a field of the scenario.
+"""Conditions under which a field affects a result.
 
 `reads` names everything that a result may depend on. Some of it only matters together with other values, such as a
 sensor's noise with the filter that uses it: `conditional_reads` says with which.
@@ -14,7 +14,7 @@ from sim_core.control.controller import Controller, option_name
 from sim_core.control.declared import ScenarioField
 from sim_core.scenario import Bump, Speed, dotted
 from sim_core.strategies import STRATEGIES, reads, resolve_speed_plan
-from sim_core.strategies.reads import PREVIEW, READS_MOST, by_parts, effective_preview, is_set_by_field
+from sim_core.strategies.reads import MOST_INFORMED, PREVIEW, effective_preview, is_set_by_field, merge_into_parts
 
 _POLICY = "speed.policy"
 _POLICIES = get_args(Speed.model_fields["policy"].annotation)
@@ -28,8 +28,8 @@ _PLACE = ("start", "width", "count", "spacing")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Condition:
-    """That a field of the scenario has one of some values.
+class FieldCondition:
+    """A condition on one field.
 
     Attributes:
         field: Its dotted name.
@@ -41,7 +41,7 @@ class Condition:
     values: tuple[Any, ...]
     excluded: bool = False
 
-    def holds(self, scenario: Mapping[str, Any], changes: Mapping[str, Any] | None = None) -> bool:
+    def is_met(self, scenario: Mapping[str, Any], changes: Mapping[str, Any] | None = None) -> bool:
         """Check whether a complete plain scenario, with these fields changed, has such a value."""
         changes = changes or {}
         if self.field == HAS_BUMP:
@@ -65,7 +65,7 @@ def _has_bump(value: Callable[[str], Any]) -> bool:
     return bool(end <= value("road.length"))
 
 
-Alternatives = tuple[tuple[Condition, ...], ...]  # one of them is enough, with all its conditions
+Alternatives = tuple[tuple[FieldCondition, ...], ...]  # one of them is enough, with all its conditions
 
 _NEVER: Alternatives = ()
 _ALWAYS: Alternatives = ((),)
@@ -73,7 +73,7 @@ _ALWAYS: Alternatives = ((),)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ConditionalReads:
-    """Fields that a result depends on where all of some conditions hold; a field may be in several of these.
+    """Fields that affect a result where all of some conditions are met; a field may be in several of these.
 
     Attributes:
         fields: Dotted names of fields and of whole parts.
@@ -81,7 +81,7 @@ class ConditionalReads:
     """
 
     fields: tuple[str, ...]
-    conditions: tuple[Condition, ...]
+    conditions: tuple[FieldCondition, ...]
 
 
 def conditional_reads(strategy: type[Controller]) -> tuple[ConditionalReads, ...]:
@@ -93,7 +93,7 @@ def conditional_reads(strategy: type[Controller]) -> tuple[ConditionalReads, ...
     Raises:
         RidelabError: Its own speed plan is none.
     """
-    groups: dict[tuple[Condition, ...], list[str]] = {}
+    groups: dict[tuple[FieldCondition, ...], list[str]] = {}
     rules = _rules(strategy)
     for name, driven in _with_policies(strategy).items():
         for conditions in _all(driven, rules.get(name, _ALWAYS)):
@@ -125,28 +125,28 @@ def _braking_at(policies: Sequence[str]) -> Alternatives:
 @cache
 def _leaves(name: str) -> tuple[str, ...]:
     """Return the fields of a part; a field or an option as it is."""
-    below = [each for each in dotted.scenario_fields() if f"{each}.".startswith(f"{name}.")]
+    below = [each for each in dotted.scenario_fields() if dotted.is_within(each, name)]
     return tuple(each for each in below if not each.rpartition(".")[2].isdigit()) or (name,)
 
 
 def _in_parts(names: Sequence[str]) -> tuple[str, ...]:
     """Return the same with a part's name in place of those of all its fields."""
     options = [name for name in names if name.startswith(dotted.OWN)]
-    return (*by_parts(frozenset(names)), *options)
+    return (*merge_into_parts(frozenset(names)), *options)
 
 
 def _rules(strategy: type[Controller]) -> dict[str, Alternatives]:
     """Name the fields that need other values, with what they need."""
-    rules = {**_of_road(strategy), **_of_sensors(strategy)}
+    rules = {**_road_rules(strategy), **_preview_rules(strategy)}
     if strategy.id in STRATEGIES:
-        return {**rules, **_of_car(), **_of_ours(strategy)}
+        return {**rules, **_car_rules(), **_controller_rules(strategy)}
     declared = [each.name for each in strategy.declared.values() if isinstance(each, ScenarioField)]
     # It may ask for what the sensors measure, noise included, whether there is a filter or not.
     return {name: need for name, need in rules.items() if name not in (*declared, "road.seed")}
 
 
-def _of_road(strategy: type[Controller]) -> dict[str, Alternatives]:
-    """The road's: a measured one has neither roughness nor seed, but a filter and a trusting preview expect them."""
+def _road_rules(strategy: type[Controller]) -> dict[str, Alternatives]:
+    """Return the rules for the road: a measured one has neither roughness nor seed, but filters expect them."""
     made, filtered, ahead = _is("road.profile", None), _filtered(strategy), _previews(strategy, "lookahead")
     trusting = _all(ahead, _any(*(_is_not(f"mpc.{name}", 0) for name in _EXPECTED)))
     noisy, bump = _all(ahead, _is_not("mismatch.preview_noise", 0)), _is(HAS_BUMP, True)
@@ -160,7 +160,8 @@ def _of_road(strategy: type[Controller]) -> dict[str, Alternatives]:
     }
 
 
-def _of_car() -> dict[str, Alternatives]:
+def _car_rules() -> dict[str, Alternatives]:
+    """Return the rules for the car."""
     links = _any(_is_not("vehicle.anti_dive", 0), _is_not("vehicle.anti_lift", 0))
     return {
         "vehicle.bump_stop_stiffness": _is_not("vehicle.bump_stop_clearance", None),
@@ -168,17 +169,17 @@ def _of_car() -> dict[str, Alternatives]:
     }
 
 
-def _of_sensors(strategy: type[Controller]) -> dict[str, Alternatives]:
-    """Those of what the strategy itself previews."""
-    modes = {name: [mode for mode, names in PREVIEW.items() if name in names] for name in PREVIEW[READS_MOST]}
+def _preview_rules(strategy: type[Controller]) -> dict[str, Alternatives]:
+    """Return the rules for what the strategy itself previews."""
+    modes = {name: [mode for mode, names in PREVIEW.items() if name in names] for name in PREVIEW[MOST_INFORMED]}
     needs = {name: _previews(strategy, *those) for name, those in modes.items()}
     braking = [policy for policy in _POLICIES if resolve_speed_plan(strategy, policy) == "planned"]
     needs[_DETECTION] = _any(_braking_at(braking), needs[_DETECTION])
     return needs | {_KNOWS_PREVIEW: _all(_filtered(strategy), needs[_KNOWS_PREVIEW])}
 
 
-def _of_ours(strategy: type[Controller]) -> dict[str, Alternatives]:
-    """Those of our own strategies, whose code is known."""
+def _controller_rules(strategy: type[Controller]) -> dict[str, Alternatives]:
+    """Return the rules for the fields of our own controllers, whose code is known."""
     disturbed = _any(*(_is_not(f"hil.{name}", 0) for name in ("noise", "jitter", "packet_loss")))
     noises = ("acceleration_noise", "deflection_noise", "pitch_rate_noise")
     return {
@@ -191,12 +192,12 @@ def _of_ours(strategy: type[Controller]) -> dict[str, Alternatives]:
 
 
 def _filtered(strategy: type[Controller]) -> Alternatives:
-    """That its state is estimated: nobody needs that of a passive car."""
+    """Return the condition that the state is estimated, which a passive car never needs."""
     return _is("estimation.kind", "kalman") if strategy.actuated else _NEVER
 
 
 def _previews(strategy: type[Controller], *modes: str) -> Alternatives:
-    """That the strategy's preview is one of these, by the field or option that it is, or by its class."""
+    """Return the condition that the strategy's preview is one of these: by its field or option, or by its class."""
     if not is_set_by_field(strategy, "preview"):
         return _ALWAYS if effective_preview(strategy) in modes else _NEVER
     declared = strategy.declared["preview"]
@@ -204,19 +205,19 @@ def _previews(strategy: type[Controller], *modes: str) -> Alternatives:
 
 
 def _is(field: str, *values: Any) -> Alternatives:
-    return ((Condition(field=field, values=values),),)
+    return ((FieldCondition(field=field, values=values),),)
 
 
 def _is_not(field: str, *values: Any) -> Alternatives:
-    return ((Condition(field=field, values=values, excluded=True),),)
+    return ((FieldCondition(field=field, values=values, excluded=True),),)
 
 
 def _all(*needs: Alternatives) -> Alternatives:
-    """All of several needs: each alternative of one with each of the others."""
+    """Return all of several needs: each alternative of one with each of the others."""
     return tuple(tuple(dict.fromkeys(chain.from_iterable(parts))) for parts in product(*needs))
 
 
 def _any(*needs: Alternatives) -> Alternatives:
-    """One of several needs."""
+    """Return one of several needs."""
     alternatives = tuple(each for need in needs for each in need)
     return _ALWAYS if () in alternatives else alternatives

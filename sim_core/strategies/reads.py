@@ -52,8 +52,12 @@ PREVIEW: dict[Preview, tuple[str, ...]] = {
     "obstacle": SENSORS_AHEAD,
     "lookahead": (*SENSORS_AHEAD, "mismatch.preview_noise", "mpc.expected_offset", "mpc.expected_noise"),
 }
-READS_MOST: Preview = "lookahead"
-CLASS_VALUES = ("speed_plan", "actuated", "delayed")  # decide what is read, so that all objects of a class have them
+MOST_INFORMED: Preview = "lookahead"
+CLASS_ATTRIBUTES = (
+    "speed_plan",
+    "actuated",
+    "delayed",
+)  # decide what is read: the same for all objects of a class
 
 
 def effective_preview(strategy: type[Controller], scenario: Scenario | None = None) -> Preview:
@@ -63,18 +67,18 @@ def effective_preview(strategy: type[Controller], scenario: Scenario | None = No
         strategy: The strategy.
         scenario: Where it is driven; None for anywhere, whatever its fields say there.
     """
-    if decides_by_code(strategy):
-        return READS_MOST
-    preview: Any = READS_MOST
+    if preview_varies_at_runtime(strategy):
+        return MOST_INFORMED
+    preview: Any = MOST_INFORMED
     if not is_set_by_field(strategy, "preview"):
         preview = strategy().preview
     elif scenario is not None:
         with suppress(RidelabError):  # what it refuses has a key, too: its failure is stored
             preview = strategy().for_scenario(scenario).preview
-    return preview if preview in PREVIEW else READS_MOST
+    return preview if preview in PREVIEW else MOST_INFORMED
 
 
-def decides_by_code(strategy: type[Controller]) -> bool:
+def preview_varies_at_runtime(strategy: type[Controller]) -> bool:
     """Check whether a strategy's own code may give it another preview in each run, which no field says."""
     is_property = hasattr(inspect.getattr_static(strategy, "preview"), "__get__")
     return is_property or strategy.for_scenario is not Controller.for_scenario
@@ -82,7 +86,7 @@ def decides_by_code(strategy: type[Controller]) -> bool:
 
 def is_set_by_field(strategy: type[Controller], name: str) -> bool:
     """Check whether a declared field says a run's value: neither an object's `__init__` nor code in each run does."""
-    by_code = name == "preview" and decides_by_code(strategy)
+    by_code = name == "preview" and preview_varies_at_runtime(strategy)
     return name in strategy.declared and not by_code and name not in own_values(strategy())
 
 
@@ -103,16 +107,11 @@ def dependencies(strategy: type[Controller], plan: SpeedPlan, preview: Preview) 
     if plan == "planned":
         names += SPEED_PLAN
     options = (f"{OWN}{strategy.id}",) if strategy.options() else ()
-    return (*by_parts(frozenset(names)), *options)
-
-
-def is_within(name: str, part: str) -> bool:
-    """Check whether a dotted name is that of a part or field, or of something in it."""
-    return f"{name}.".startswith(f"{part}.")
+    return (*merge_into_parts(frozenset(names)), *options)
 
 
 @cache
-def by_parts(names: frozenset[str]) -> tuple[str, ...]:
+def merge_into_parts(names: frozenset[str]) -> tuple[str, ...]:
     """The same fields, with a part's name in place of those of all its fields."""
     return tuple(sorted(_of_part(Scenario, "", names)))
 

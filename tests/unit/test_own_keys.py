@@ -9,9 +9,10 @@ from backend.cost.estimate import work
 from backend.own.description import described, stand_in
 from sim_core import Controller, check_controller, load_controllers, simulate
 from sim_core.scenario import Bump, Estimation, Lqr, Mpc, Road, Scenario, dotted
+from sim_core.scenario.dotted import is_within
 from sim_core.strategies import reads, resolve_speed_plan, values_read
 from sim_core.strategies.effects import conditional_reads
-from sim_core.strategies.reads import dependencies, is_within
+from sim_core.strategies.reads import dependencies
 
 BASE = Scenario(
     road=Road(length=34, bump=Bump(start=20, width=3)),
@@ -139,7 +140,7 @@ def _is_said_to_count(kind: type[Controller], name: str) -> bool:
     """Check whether a field has an effect in the base scenario by the conditions of its reading."""
     groups = [each for each in conditional_reads(kind) if any(is_within(name, part) for part in each.fields)]
     plain = BASE.model_dump(mode="json")
-    return any(all(condition.holds(plain) for condition in each.conditions) for each in groups)
+    return any(all(condition.is_met(plain) for condition in each.conditions) for each in groups)
 
 
 def test_the_check_drives_without_preview_a_controller_that_declares_one(

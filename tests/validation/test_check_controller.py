@@ -95,7 +95,7 @@ def test_the_check_reads_the_declaration() -> None:
 )
 def test_the_check_says_that_an_option_has_a_name_that_is_taken(name: str) -> None:
     members = {"__doc__": "Gives no force.", "id": "fine", "force": lambda _self, _seen: (0.0, 0.0), name: option(1.0)}
-    said = f"{name}: every controller has something of that name: call the option otherwise"
+    said = f"{name}: this name is used by Controller itself; rename the option"
     assert check_controller(type("Wrong", (Controller,), {**members, "__annotations__": {name: float}})) == [said]
 
 

@@ -14,12 +14,12 @@ from sim_core.check_controller import undeclared_reads
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Estimation, Hil, Lqr, Mpc, Road, Scenario, Speed, Vehicle, dotted
-from sim_core.scenario.access import accessed
+from sim_core.scenario.access import record_accesses
+from sim_core.scenario.dotted import is_within
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES, reads, reads_in, values_read
 from sim_core.strategies.effects import conditional_reads
-from sim_core.strategies.reads import is_within
 from tests.servers.process import ROOT
 
 # A short, lively run: limits bind, the car brakes, every stage occurs.
@@ -114,8 +114,7 @@ LEAVES = [path for path in leaves(json.loads(BASE.model_dump_json())) if path !=
 
 
 def is_read(strategy: str, path: tuple[str, ...]) -> bool:
-    dotted = ".".join(path)
-    return any(dotted == name or dotted.startswith(f"{name}.") for name in reads(STRATEGIES[strategy]))
+    return any(is_within(".".join(path), part) for part in reads(STRATEGIES[strategy]))
 
 
 def same(one: StrategyResult, two: StrategyResult) -> bool:
@@ -257,10 +256,10 @@ def test_a_field_has_an_effect_only_where_the_conditions_of_its_reading_hold(str
         plain, base = scenario.model_dump(mode="json"), simulate(scenario, strategy)
         for path in LEAVES:
             name = ".".join(path)
-            covering = [group for group in groups if any(f"{name}.".startswith(f"{each}.") for each in group.fields)]
-            if not covering or any(f"{name}.".startswith(f"{each}.") for each in always):
+            covering = [group for group in groups if any(is_within(name, each) for each in group.fields)]
+            if not covering or any(is_within(name, each) for each in always):
                 continue
-            has_effect = any(all(each.holds(plain) for each in group.conditions) for group in covering)
+            has_effect = any(all(each.is_met(plain) for each in group.conditions) for group in covering)
             if has_effect and name in effective:
                 continue
             if variant == "no bump" and name in ONLY_WITH_A_BUMP:
@@ -299,7 +298,7 @@ def test_drives_look_at_exactly_the_fields_that_are_declared(strategy: str, poli
         scenario = scenario_of(variant)
         scenario = scenario.model_copy(update={"speed": scenario.speed.model_copy(update={"policy": policy})})
         assert undeclared_reads(scenario, STRATEGIES[strategy]) == []
-        result, names = accessed(scenario, lambda recording: simulate(recording, strategy))
+        result, names = record_accesses(scenario, lambda recording: simulate(recording, strategy))
         assert same(result, simulate(scenario, strategy)), "recording changes nothing"
         looked_at |= names
         declared |= set(reads_in(scenario, STRATEGIES[strategy]))
@@ -356,7 +355,9 @@ def test_the_check_names_a_field_that_a_controller_looks_at_and_does_not_declare
 
     said = check_controller(Peeks)
     fields = [f"lqr.{name}" for name in ("deflection_weight", "preview", "preview_horizon", "weights")]
-    assert [each.partition(" of ")[0] for each in said] == [f"It looks at {name}" for name in ("hook.alpha", *fields)]
+    assert [each.partition(" without ")[0] for each in said] == [
+        f"It reads scenario field {name}" for name in ("hook.alpha", *fields)
+    ]
     assert 'scenario_field("hook.alpha")' in said[0]
     declared = {"alpha": scenario_field("hook.alpha"), "weighs": scenario_field("lqr"), "__doc__": "Looks."}
     assert check_controller(type("Declares", (Peeks,), declared)) == []

@@ -189,7 +189,7 @@ def _warnings(
     if len(finite) > 1 and len(set(finite.values())) == 1:
         strategy = strategy_named(request.strategy)
         read = reads(strategy, request.scenario.speed.policy)
-        is_read = any(f"{request.field}.".startswith(f"{each}.") for each in read)
+        is_read = any(dotted.is_within(request.field, each) for each in read)
         cause = "" if is_read else f": {strategy.label} does not use {request.field}"
         yield f"{_subject(request)} is the same at every value tried{cause}."
     spans = limit_search.spans_over(request.bound, finite, best)
