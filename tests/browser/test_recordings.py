@@ -3,7 +3,7 @@
 import pytest
 
 from sim_core import Scenario, simulate
-from tests.browser.dashboard import Dashboard, expect, expect_new_address
+from tests.browser.dashboard import Dashboard, expect, expect_new_address, thumb
 
 PEAK = '[data-cell="bump.body_acceleration.peak"]'
 
@@ -46,6 +46,21 @@ def test_a_recorded_drive_stands_beside_the_simulated_ones(dashboard: Dashboard)
     simulated, measured = peaks()
     assert abs(measured - simulated) < 0.02 * simulated
     expect(own.locator('[data-cell="bump.rear_tyre_load.peak"]')).to_contain_text("–")
+    comparison = page.get_by_role("region", name="Comparison", exact=True)
+    comparison.get_by_label("Change against").select_option("drive.csv")
+    verdict = page.get_by_test_id("verdict")
+    expect(verdict).to_contain_text("than with Recording")
+    x, y = thumb(dashboard.slider("Height"))
+    page.mouse.move(x, y)
+    page.mouse.down()
+    with page.expect_response("**/api/v1/live"):
+        page.mouse.move(x + 12, y, steps=3)
+    expect(verdict).to_contain_text("The comparison with drive.csv comes with the exact run.")
+    expect(comparison.get_by_label("Change against").locator("option:checked")).to_have_text("drive.csv")
+    address = page.url
+    page.mouse.up()
+    expect_new_address(page, address)
+    expect(verdict).to_contain_text("than with Recording")
     address = page.url
     dashboard.type_into("Height", "8")
     expect_new_address(page, address)

@@ -89,3 +89,9 @@ def test_the_chosen_baseline_stays_when_it_is_hidden(dashboard: Dashboard) -> No
     comparison.get_by_label("Change against").select_option("LQR")
     expect(told).to_contain_text("than with LQR")
     expect(told).not_to_contain_text("Passive")
+
+    # Where it cannot be asked, the one before is not shown in its place: it is of another baseline.
+    page.route("**/api/v1/runs/*?*compare=*", lambda route: route.fulfill(status=404))
+    comparison.get_by_label("Change against").select_option("LV control")
+    expect(page.get_by_test_id("verdict")).not_to_contain_text("LQR")
+    expect(page.get_by_test_id("verdict")).not_to_contain_text("best")

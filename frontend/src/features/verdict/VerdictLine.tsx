@@ -3,7 +3,7 @@
 import { Button, Group, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
-import type { Comparison, OverRoads, Scenario, StrategyId } from "../../api/types";
+import type { Comparison, OverRoads, Scenario } from "../../api/types";
 import { useAction, useActionButton } from "../../lab/actions";
 import { useEdit, useLab, useReadOnly } from "../../lab/context";
 import type { ResultView } from "../../lab/resultView";
@@ -73,21 +73,22 @@ function useComparison(resultView: ResultView): ShownComparison {
 }
 
 /** Why there is no comparison with the chosen baseline: a recorded drive is compared with exact runs alone. */
-export function whyNoComparison(
-  { shown, baseline }: Pick<ResultView, "shown" | "baseline">,
-  label: (id: StrategyId) => string,
-): string {
-  const isLeftOut = shown.source === "live" && baseline !== null && isRecording(baseline);
-  return isLeftOut ? `The comparison with ${label(baseline)} comes with the exact run.` : "";
+export function whyNoComparison({
+  shown,
+  baseline,
+  catalogue,
+}: Pick<ResultView, "shown" | "baseline" | "catalogue">): string {
+  if (shown.source !== "live" || baseline === null || !isRecording(baseline)) return "";
+  const label = catalogue.find(({ id }) => id === baseline)?.label ?? baseline;
+  return `The comparison with ${label} comes with the exact run.`;
 }
 
 export function VerdictLine({ resultView }: { readonly resultView: ResultView }) {
   const { shown, ids, baseline, summaries } = resultView;
   const { comparison, isOlder } = useComparison(resultView);
-  const { strategy } = useLabels();
   const stale = useLab((state) => state.stale);
   const isAlone = ids.length < 2 && (baseline === null || ids.includes(baseline));
-  const text = isAlone ? "" : (comparison?.verdict.text ?? whyNoComparison(resultView, strategy));
+  const text = isAlone ? "" : (comparison?.verdict.text ?? whyNoComparison(resultView));
   // A screen reader is told of results, not of each step of a slider.
   const [announced, setAnnounced] = useState("");
   if (shown.source === "exact" && !stale && !isOlder && text !== announced) setAnnounced(text);

@@ -74,8 +74,8 @@ describe("the comparison before", () => {
 
   it("with a recorded drive comes with the exact run, which is said", () => {
     const shown = (source: string) => ({ source }) as unknown as Result;
-    const text = (source: string, baseline: string) =>
-      whyNoComparison({ shown: shown(source), baseline }, () => "drive.csv");
+    const catalogue = [...ALL, { ...PASSIVE, id: "recording:one", label: "drive.csv" }];
+    const text = (source: string, baseline: string) => whyNoComparison({ shown: shown(source), baseline, catalogue });
     expect(text("live", "recording:one")).toBe("The comparison with drive.csv comes with the exact run.");
     expect([text("exact", "recording:one"), text("live", "passive")]).toEqual(["", ""]);
   });
