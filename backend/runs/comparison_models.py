@@ -21,7 +21,7 @@ class ChangeAnswer(Answer):
 
 
 class VerdictAnswer(Answer):
-    """Which strategy is best."""
+    """The verdict of a comparison: the best strategy by metric, and as text."""
 
     text: str = Field(description="Whole sentences: who is best, by how much the ride differs, at which speeds")
     best: dict[str, str | None] = Field(
@@ -33,11 +33,13 @@ class VerdictAnswer(Answer):
 
 
 class ComparisonAnswer(Answer):
-    """What the results mean beside each other."""
+    """Comparison of several strategies' results."""
 
     baseline: str = Field(description="The strategy that changes refer to, by its id; it may have failed")
     changes: dict[str, Annotated[dict[str, ChangeAnswer], Field(description="By metric, by its flat name")]] = (
         by_strategy("By strategy that succeeded; not of the baseline, and none where that failed")
     )
     verdict: VerdictAnswer
-    cautions: list[CautionAnswer]
+    cautions: list[CautionAnswer] = Field(
+        description="Warnings about values outside a car's usual range and about results that are not fully comparable"
+    )
