@@ -70,7 +70,7 @@ class BatchService:
         It is refused where `create` refuses it.
         """
         names, sent_scenario = ordered(strategies), scenario
-        scenario = await self.roads.with_length(scenario)
+        scenario = await self.roads.settled(scenario)
         base = scenario.model_dump(mode="json")
         roads = await self._named_roads(base, _sent(sweep))
         lengths = _lengths(sent_scenario, roads)
@@ -126,7 +126,7 @@ class BatchService:
             TemporaryError: Too much is waiting.
         """
         names, sent, sent_scenario = ordered(strategies), _sent(sweep), scenario
-        scenario = await self.roads.with_length(scenario)
+        scenario = await self.roads.settled(scenario)
         base = scenario.model_dump(mode="json")
         held: JsonObject = {}
         if requirements:

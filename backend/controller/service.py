@@ -45,7 +45,7 @@ class Controllers:
             CostLimitError: It would take too much.
             TemporaryError: Too much is being computed.
         """
-        scenario = await self.roads.with_length(scenario)
+        scenario = await self.roads.settled(scenario)
         cost = estimate(scenario, STRATEGY)
         self.gate.check_cost(cost)
         with self.gate.computing(client, cost):

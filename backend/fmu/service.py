@@ -26,7 +26,7 @@ class Fmus:
             CostLimitError: The service lets no request take as much.
             TemporaryError: Too much is being computed.
         """
-        scenario = await self.roads.with_length(asked.scenario)
+        scenario = await self.roads.settled(asked.scenario)
         self.gate.check_cost(COST)
         with self.gate.computing(client, COST, controller=1):
             return await self.workers.call(

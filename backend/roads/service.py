@@ -97,13 +97,13 @@ class MeasuredRoads:
             raise NotFoundError(_missing(road_id))
         return road
 
-    async def with_length(self, scenario: Scenario) -> Scenario:
-        """The scenario as it is driven and known by: without a length of its own it has its measured road's.
+    async def settled(self, scenario: Scenario) -> Scenario:
+        """Return the scenario as it is driven and known by, with what it takes from its measured road.
 
         Raises:
             InvalidError: There is no such road, or the bump is not on it.
         """
-        return await self.on(scenario) if scenario.road.ends_with_profile else scenario
+        return await self.on(scenario) if scenario.road.follows_profile else scenario
 
     async def on(self, scenario: Scenario) -> Scenario:
         """The scenario with the heights of the measured road it names.

@@ -35,7 +35,7 @@ class ControlAnalysis:
             TemporaryError: Too much is being computed.
         """
         names, cost = ordered(asked.strategies), FREQUENCY_COST * len(asked.strategies)
-        scenario = await self.roads.with_length(asked.scenario)
+        scenario = await self.roads.settled(asked.scenario)
         question = scenario, names, asked.frequencies, asked.outputs, asked.stage
         with self.gate.computing(client, cost):
             return await self.workers.call(frequency_answer, *question, client=client, cost=cost)

@@ -92,7 +92,7 @@ class Runs:
         self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None
     ) -> tuple[StoredRun, dict[str, bool]]:
         """The run in the database, and the strategies that were not computed for this request."""
-        names, scenario = ordered(strategies), await self.roads.with_length(scenario)
+        names, scenario = ordered(strategies), await self.roads.settled(scenario)
         against = None if roads == 1 else baseline or default_baseline(names)
         run_id = digest.run_id(scenario, names, roads, against)
         stored = await self._load(run_id)
@@ -174,7 +174,7 @@ class Runs:
         binary: bool,
     ) -> bytes:
         """Return metrics and decimated time histories of that scenario, as JSON or `binary`; nothing is stored."""
-        names, scenario = ordered(strategies), await self.roads.with_length(scenario)
+        names, scenario = ordered(strategies), await self.roads.settled(scenario)
         costs = costs_of(scenario, names)
         self.gate.check_cost(sum(costs.values()))
         outcomes = await self.results.get(scenario, names, client, sampling=sampling, costs=costs)

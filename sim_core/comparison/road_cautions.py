@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from sim_core.comparison.caution import Caution
+from sim_core.scenario import Bump, Scenario
 
 LOWEST_IRI, HIGHEST_IRI = 0.1, 30.0
 """Between them is what roads have [m/km]: new motorways about 1, damaged unpaved roads up to 20.
@@ -32,3 +33,22 @@ def road_cautions(tracks: Sequence[float]) -> tuple[Caution, ...]:
     values = " and ".join(f"{value:.3g} m/km" for value in odd)
     text = f"The International Roughness Index of these heights is {values}; {usual}. Is the unit of the heights right?"
     return (Caution(kind="iri", text=text, field="road.profile"),)
+
+
+def bump_cautions(scenario: Scenario) -> tuple[Caution, ...]:
+    """Return the warning that the paper's own bump lies on a measured road: the default that nobody has chosen.
+
+    Returns:
+        At most one, of kind `added_bump`, at the field `road.bump.height`.
+
+    Example:
+        >>> from sim_core import Scenario
+        >>> from sim_core.comparison.road_cautions import bump_cautions
+        >>> [each.kind for each in bump_cautions(Scenario.model_validate({"road": {"profile": 22 * "a"}}))]
+        ['added_bump']
+    """
+    bump = scenario.road.bump
+    if scenario.road.profile is None or bump != Bump():
+        return ()
+    added = f"The paper's bump, {100 * bump.height:g} cm high at {bump.start:g} m, is added to the measured road"
+    return (Caution(kind="added_bump", text=f"{added}. A height of 0 adds none.", field="road.bump.height"),)

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from sim_core.comparison.caution import Caution
+from sim_core.comparison.road_cautions import bump_cautions
 from sim_core.scenario import Scenario
 from sim_core.scenario.characteristics import characteristics
 from sim_core.scenario.vehicle import Vehicle
@@ -51,7 +52,7 @@ def vehicle_cautions(vehicle: Vehicle) -> tuple[Caution, ...]:
 
 
 def scenario_cautions(scenario: Scenario) -> tuple[Caution, ...]:
-    """Return the warnings of both vehicles of a scenario, the one that controllers believe in and the one driven.
+    """Return the warnings of a scenario: of its vehicles, the believed and the driven one, and of its road.
 
     Args:
         scenario: What is driven.
@@ -59,7 +60,7 @@ def scenario_cautions(scenario: Scenario) -> tuple[Caution, ...]:
     Returns:
         `vehicle_cautions` of the believed vehicle; of the driven one `sag` and `body_frequency` where they differ from
         the believed one's, at the factor that leads to them, and `rests_on_stops` where its weight is borne by a
-        stop, too.
+        stop, too; and `bump_cautions`.
 
     Example:
         >>> from sim_core import Scenario
@@ -71,7 +72,8 @@ def scenario_cautions(scenario: Scenario) -> tuple[Caution, ...]:
         [('sag', 'mismatch.body_mass')]
     """
     believed = vehicle_cautions(scenario.vehicle)
-    return believed if scenario.real_vehicle is scenario.vehicle else (*believed, *_real_cautions(scenario))
+    real = () if scenario.real_vehicle is scenario.vehicle else _real_cautions(scenario)
+    return (*believed, *real, *bump_cautions(scenario))
 
 
 def _real_cautions(scenario: Scenario) -> Iterator[Caution]:

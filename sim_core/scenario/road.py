@@ -118,6 +118,12 @@ class Road(Part):
         return self.profile is not None and "length" not in self.model_fields_set
 
     @property
+    def follows_profile(self) -> bool:
+        """Check whether its length, or the place of a bump of height 0, is its profile's, as `Scenario.on` sets it."""
+        has_place = self.bump.height or "start" in self.bump.model_fields_set
+        return self.ends_with_profile or (self.profile is not None and not has_place)
+
+    @property
     def has_bump(self) -> bool:
         """Check whether there is a bump, or with height 0 a place of one: beyond the road's end there is none."""
         return self.bump.end <= self.length

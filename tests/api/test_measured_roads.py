@@ -370,8 +370,18 @@ def test_a_road_without_a_bump_is_driven_and_has_no_metrics_of_one(service: Serv
         assert {value for signal in entry["metrics"]["bump"].values() for value in signal.values()} == {None}
         assert entry["metrics"]["whole"]["body_acceleration"]["rms"] > 0
         assert (entry["arrival_speed_kmh"], entry["events"]["bump_complete"]) == (None, None)
+    with_length = {"road": {**scenario["road"], "length": length - 1}}
+    cut = service.run(["lv"], with_length).raise_for_status().json()["strategies"]["lv"]
+    assert (cut["arrival_speed_kmh"], cut["travel_time"]) == (None, pytest.approx((length - 1) / 50 * 3.6))
     for histories in ("series?strategy=lv", "figures", "figures/road", "report.html"):
         service.get(f"/api/v1/runs/{run['id']}/{histories}").raise_for_status()
     question = {"scenario": scenario, "strategy": "passive", "field": "vehicle.body_mass", "range": [400, 800]}
     of_bump = service.post("/api/v1/solve", json={**question, "metric": "bump.front_deflection.peak", "limit": 0.05})
     assert (of_bump.status_code, of_bump.json()["errors"][0]["pointer"]) == (422, "/metric")
+
+
+def test_the_papers_bump_on_a_measured_road_is_cautioned(service: Service) -> None:
+    road = send(service, HEAD + "".join(f"{0.1 * k:.1f},{6 * np.cos(0.1 * k):.2f}\n" for k in range(1801))).json()["id"]
+    for bump, kinds in ({}, ["added_bump"]), ({"bump": {"height": 0}}, []), ({"bump": {"height": 0.05}}, []):
+        run = service.run(["passive"], {"road": {"profile": road, **bump}}).raise_for_status().json()
+        assert [each["kind"] for each in run["cautions"] if each["field"] != "vehicle.front_spring"] == kinds

@@ -73,6 +73,15 @@ def test_the_scenario_of_a_road_can_be_driven(
     assert Scenario.model_validate(scenario).road.has_bump == (bump is not None)
 
 
+def test_a_measured_road_that_is_chosen_has_no_bump_of_height_0_where_none_was_placed(
+    cli: Cli, prepared: Prepared
+) -> None:
+    cli("run", "paper", "--set", f"road.profile={RUN}", "--set", "road.bump.height=0", "-s", "passive")
+    cli("run", "paper", "--set", f"road.profile={RUN}", "--set", "road.bump.height=0", "--set", "road.bump.start=40")
+    unplaced, placed = (sent["scenario"]["road"]["bump"] for sent in prepared.bodies("POST /runs"))
+    assert ("start" in unplaced, placed["start"]) == (False, 40)
+
+
 def test_the_roughness_of_a_bad_road_has_one_power_of_ten(cli: Cli, prepared: Prepared) -> None:
     measures = {
         "iri": None,

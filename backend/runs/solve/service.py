@@ -38,7 +38,7 @@ class Solver:
             InvalidError: No value in the range can be driven, or the strategy has no such metric.
             TemporaryError: Too much is being computed.
         """
-        request = request.model_copy(update={"scenario": await self.roads.with_length(request.scenario)})
+        request = request.model_copy(update={"scenario": await self.roads.settled(request.scenario)})
         cost = _max_cost(request)
         self.gate.check_cost(cost)
         tried: dict[int, Tried] = {}

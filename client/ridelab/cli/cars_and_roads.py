@@ -144,7 +144,7 @@ def road(
         if profile["bumps"]:
             show_table(_HEADS, [[bump["start"], bump["width"], bump["height"]] for bump in profile["bumps"]])
         else:
-            typer.echo("No bump was found in it")
+            typer.echo("No bump was found in it: with road.bump.height=0 none is added")
 
 
 def _measured_road(which: str, ridelab: Ridelab, left: float | None, right: float | None) -> dict[str, Any]:

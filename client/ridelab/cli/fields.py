@@ -22,7 +22,7 @@ _SPAN = re.compile(r"([^:]+):([^:]+):(\d+)")
 _DIGITS = 12  # 0.05:0.15:11 gives 0.06 and not 0.060000000000000005
 _MOST_VALUES = 1_000_000
 VEHICLE = "vehicle"  # the part of a scenario that --set takes whole
-PROFILE, LENGTH = "road.profile", "road.length"
+PROFILE, LENGTH, START = "road.profile", "road.length", "road.bump.start"
 _WORDS = {"true": True, "false": False, "null": None}
 
 
@@ -39,7 +39,8 @@ def changed(
     """The scenario with each `FIELD=VALUE` in its place; `swept` fields get their values later.
 
     A length that nobody gave is left to the service: where the road is measured it is that road's. The one that the
-    scenario has belongs to its own road, not to a measured one that is chosen here.
+    scenario has belongs to its own road, not to a measured one that is chosen here; so does the place of its bump,
+    where the height is 0.
     """
     if not changes and PROFILE not in swept:
         return dict(scenario)
@@ -52,8 +53,13 @@ def changed(
     }
     result, named, road = with_values(whole, values), {*values, *swept}, scenario.get("road")
     has_length = isinstance(road, dict) and "length" in road and PROFILE not in named
-    if LENGTH not in named and not has_length and isinstance(result["road"], dict):
+    if not isinstance(result["road"], dict):
+        return result
+    if LENGTH not in named and not has_length:
         result["road"].pop("length", None)
+    bump = result["road"].get("bump")
+    if PROFILE in named and START not in named and isinstance(bump, dict) and bump.get("height") == 0:
+        bump.pop("start", None)
     return result
 
 
