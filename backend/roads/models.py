@@ -39,7 +39,11 @@ class RoadAnalysis(Answer):
     """What the heights of a file amount to as they came; all null where that file is not known any more."""
 
     iri: IriAnswer | None = None
-    iso_class: str | None = Field(None, description="Road class of ISO 8608 by `roughness`, A to H; null below 20 m")
+    iso_class: str | None = Field(
+        None,
+        description="Road class of ISO 8608 by `roughness`, A to H; null below 20 m, and where the interval of "
+        "`roughness` spans more than a factor of 16, which a caution of kind `spectrum` then says",
+    )
     roughness: EstimateAnswer | None = Field(None, description="Gd(n0) of the line fitted to `spectrum` [m³]")
     waviness: EstimateAnswer | None = Field(None, description="Its negative slope w: Gd(n) = Gd(n0) (n/n0)^-w")
     spectrum: SpectrumAnswer | None = None

@@ -15,7 +15,8 @@ from backend.roads import survey
 from backend.roads.models import CreatedRoad, FoundBumpAnswer, RoadAnswer
 from backend.store import Store
 from sim_core import RidelabError, Scenario
-from sim_core.comparison.road_cautions import road_cautions
+from sim_core.comparison.road_cautions import road_cautions, spectrum_caution
+from sim_core.road.iso8608 import Estimate
 from sim_core.road.survey import DetectedBump, bumps_in
 from sim_core.scenario.measured import SPACING, MeasuredRoad
 
@@ -53,7 +54,7 @@ class MeasuredRoads:
             samples=road.samples,
             bumps=_bumps(surveyed.bumps),
             warnings=surveyed.warnings,
-            cautions=_cautions(surveyed.analysis),
+            cautions=_cautions(surveyed.analysis, road.length),
             **surveyed.analysis,
         )
 
@@ -75,7 +76,7 @@ class MeasuredRoads:
             bumps=_bumps(bumps),
             distance=distance,
             height=height,
-            cautions=_cautions(analysis),
+            cautions=_cautions(analysis, road.length),
             **analysis,
         )
 
@@ -137,10 +138,15 @@ class MeasuredRoads:
         return roads
 
 
-def _cautions(analysis: JsonObject) -> list[CautionAnswer]:
+def _cautions(analysis: JsonObject, length: float) -> list[CautionAnswer]:
     """Return what to beware of by the analysis of the file that was sent; nothing where that is not known any more."""
-    indices = analysis.get("iri")
-    return [CautionAnswer.model_validate(each) for each in road_cautions(indices["tracks"])] if indices else []
+    indices, fitted = analysis.get("iri"), analysis.get("roughness")
+    if not indices:
+        return []
+    cautions = list(road_cautions(indices["tracks"]))
+    if fitted and analysis["iso_class"] is None:
+        cautions.append(spectrum_caution(Estimate(**fitted).span, length, indices["mean"]))
+    return [CautionAnswer.model_validate(each) for each in cautions]
 
 
 def _missing(road_id: str) -> str:

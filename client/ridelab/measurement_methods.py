@@ -21,6 +21,7 @@ class MeasurementMethods(Connection):
 
         The answer has `length` [m], `samples`, `bumps` (found in it), `warnings` (what was done to it), and of the
         heights as they came `iri` [m/km] and by ISO 8608 `iso_class`, `roughness` [m^3] and `waviness`, with intervals.
+        `iso_class` is None where roughness is too uncertain; `cautions` then say so.
 
         Args:
             source: The file; which of the two it is is seen from its content.

@@ -3,8 +3,6 @@
 docs/explanation/road.md has the formulas.
 """
 
-from functools import cache
-
 import numpy as np
 
 from sim_core.arrays import FloatArray
@@ -15,7 +13,6 @@ START = 11.0  # the car starts with the mean slope of so much of the track [m]
 _K1, _K2, _C, _MU = 653.0, 63.3, 6.0, 0.15  # tyre, spring, damper, unsprung mass, each by the sprung mass
 
 
-@cache
 def golden_car() -> tuple[FloatArray, FloatArray]:
     """The quarter car's dx/dt = A x + b s: A (4, 4) and b (4,), with s the slope of the road.
 

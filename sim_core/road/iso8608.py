@@ -18,6 +18,11 @@ SHORTEST = 20.0  # of a road whose PSD reaches the reference frequency [m]
 _UNALIASED = 0.125  # of the sampling frequency: up to there a fold of the PSD adds 5 % at most where waviness is 2
 _NEXT, _SECOND = 4 / 9, 1 / 36  # correlation of a Hann-tapered periodogram's ordinates with the next and the second
 _FEWEST_BANDS = 4
+WIDEST = 16.0
+"""Of the interval of a road with a class, end over end [1]: two classes.
+
+Generated roads from 50 m on stay below it; from 100 m on also with a bump of 0.1 m, a washboard, or slabs.
+"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -28,20 +33,25 @@ class Estimate:
     low: float
     high: float
 
+    @property
+    def span(self) -> float:
+        """How many times the interval's lower end the upper one is [1]."""
+        return self.high / self.low
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Classification:
     """The line Gd(n) = Gd(n0) (n/n0)^-w through a road's smoothed PSD.
 
     Attributes:
-        iso_class: By Gd(n0), A to H.
+        iso_class: By Gd(n0), A to H; None where its interval spans more than a factor of 16.
         roughness: Gd(n0) [m³].
         waviness: w [1].
         frequency: Centres of the bands (bands,) [1/m].
         density: Mean PSD in each (bands,) [m³].
     """
 
-    iso_class: str
+    iso_class: str | None
     roughness: Estimate
     waviness: Estimate
     frequency: FloatArray
@@ -104,9 +114,10 @@ def classified(tracks: Sequence[FloatArray], spacing: float) -> Classification |
     half = stdtrit(freedom, 0.975) * np.sqrt(np.diag(covariance) * max(1.0, scatter))
     roughness = [float(np.exp(level + side * half[0])) for side in (0, -1, 1)]
     wavinesses = [float(waviness + side * half[1]) for side in (0, -1, 1)]
+    fitted = Estimate(value=roughness[0], low=roughness[1], high=roughness[2])
     return Classification(
-        iso_class=road_class(roughness[0]),
-        roughness=Estimate(value=roughness[0], low=roughness[1], high=roughness[2]),
+        iso_class=road_class(fitted.value) if fitted.span <= WIDEST else None,
+        roughness=fitted,
         waviness=Estimate(value=wavinesses[0], low=wavinesses[1], high=wavinesses[2]),
         frequency=frequency,
         density=density,

@@ -97,6 +97,23 @@ def test_the_roughness_of_a_bad_road_has_one_power_of_ten(cli: Cli, prepared: Pr
     assert "Caution: Is the unit right?" in said
 
 
+def test_a_road_without_a_class_has_its_index_and_the_reason(cli: Cli, prepared: Prepared) -> None:
+    measures = {
+        "iri": {"tracks": [10.9], "mean": 10.9},
+        "iso_class": None,
+        "roughness": {"value": 1e-6, "low": 1e-8, "high": 1e-4},
+        "waviness": {"value": 2, "low": -0.1, "high": 4.5},
+    }
+    text = "No ISO 8608 class: the road's spectrum is not a straight line"
+    cautions = [{"kind": "spectrum", "text": text, "field": "road.profile", "strategy": None}]
+    road = {"id": RUN, "length": 50, "bumps": [], "warnings": [], "cautions": cautions, **measures}
+    prepared.answers[f"GET /roads/{RUN}"] = road
+    said = cli("road", RUN)
+    assert "IRI 10.90 m/km" in said
+    assert f"Caution: {text}" in said
+    assert "ISO 8608 class " not in said.replace(text, ""), "no class"
+
+
 def test_a_librarys_file_is_driven_with_its_road(cli: Cli, prepared: Prepared, tmp_path: Path) -> None:
     """Where the scenario names a road that the service does not have, the file's own is sent to it."""
     prepared.answers["POST /roads"] = {"id": RUN}

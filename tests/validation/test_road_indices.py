@@ -1,5 +1,7 @@
 """IRI against the golden car's analytic gain and published coefficients; ISO 8608 fits of roads whose PSD is known."""
 
+from itertools import product
+
 import numpy as np
 import pytest
 
@@ -137,6 +139,36 @@ def test_a_road_without_enough_waves_has_no_class() -> None:
     assert classified([road(2.0, 64e-6, 19, 0.05, 1)], 0.05) is None
     assert classified([np.zeros(1000)], 0.05) is None
     assert classified([road(2.0, 64e-6, 30, 5.0, 1)], 5.0) is None
+
+
+@pytest.mark.parametrize("spacing", [0.05, 0.25])
+@pytest.mark.parametrize(
+    ("added", "length"),
+    [("nothing", 50), *product(["nothing", "bump", "slabs", "washboard"], [100, 200, 500])],
+)
+def test_rough_roads_also_with_a_bump_or_a_wave_have_a_class(added: str, length: int, spacing: float) -> None:
+    x = np.arange(round(length / spacing) + 1) * spacing
+    features = {
+        "nothing": 0 * x,
+        "bump": 0.05 * (1 - np.cos(np.pi * np.clip(x - length / 2, 0, 4) / 2)),
+        "slabs": 0.006 * (x / 5 % 1),
+        "washboard": 0.005 * np.sin(2 * np.pi * x / 0.8),
+    }
+    for seed in range(20):
+        for waviness in (1.6, 2.0, 2.5):
+            fit = classified([road(waviness, 64e-6, length, spacing, seed) + features[added]], spacing)
+            assert fit
+            assert fit.iso_class, f"seed {seed}, waviness {waviness}: {fit.roughness}"
+
+
+@pytest.mark.parametrize("length", [100, 160, 400])
+def test_a_road_of_two_sine_waves_has_no_class(length: int) -> None:
+    """Its roughness would be that of a new motorway, its International Roughness Index that of a damaged road."""
+    x = np.arange(0, length + 0.1, 0.25)
+    fit = classified([0.01 * np.sin(2 * np.pi * x / 5) + 0.004 * np.sin(2 * np.pi * x / 2)], 0.25)
+    assert fit
+    assert fit.iso_class is None
+    assert fit.roughness.span > 16
 
 
 def test_classes_end_at_twice_their_mean() -> None:
