@@ -57,7 +57,8 @@ PRESETS: dict[str, Preset] = {
             id="paper_nearest",
             label="Paper, nearest",
             description="What comes nearest to the paper's printed values without control: both axles meet the road "
-            "together, class C, 25 km/h on the bump, no limits of force or travel. Not known to be what they did.",
+            "together, class C, 25 km/h on the bump, no limits of force or travel. Tyre loads are not doubled: "
+            "the paper's printed tyre loads are about twice these. Not known to be what they did.",
             scenario=_NEAREST,
         ),
         Preset(
