@@ -71,9 +71,11 @@ def place_recording(
         return PlacedRecording(placement=None, position=track.distance, inverted=(), notes=unplaced)
     position = placement.offset + placement.scale * track.distance
     best_match = f"{STRATEGIES[placement.reference].label} (correlation {placement.likeness:.2f})"
+    offset = round(placement.offset, 3)
+    sign = "−" if offset < 0 else "+"
     notes = [
-        f"It was placed where it is like {best_match}: position = {placement.offset:.3f} m + "
-        f"{placement.scale:.5f} of its distance"
+        f"It was placed where it is like {best_match}: position = {placement.scale:.5f} × distance {sign} "
+        f"{abs(offset):.3f} m"
     ]
     inverted = tuple(key for key, sign in zip(keys, placement.signs, strict=True) if sign < 0)
     for convention, members in CONVENTIONS.items():

@@ -55,16 +55,16 @@ def track_of(signals: Mapping[str, FloatArray], initial: float) -> Track:
         if speed is None:
             return Track(distance=initial * time, time=time, clocked=True, timed=True, notes=(assumed,))
         distance = _integral(np.maximum(speed, 0.0), time)
-        return Track(
-            distance=distance, time=time, clocked=True, timed=True, notes=("Its distance is its speed over its time",)
-        )
+        note = "The distance is integrated from the speed over time"
+        return Track(distance=distance, time=time, clocked=True, timed=True, notes=(note,))
     if position is None:
         raise RefusedError("A recording has a time or a distance")
     if speed is None:
         return Track(distance=position, time=position / initial, clocked=True, timed=False, notes=(assumed,))
     each = 1 / np.maximum(speed, SLOWEST)
     time = _integral(each, position)
-    return Track(distance=position, time=time, clocked=True, timed=True, notes=("Its time follows from its speed",))
+    note = "The time is integrated from the speed over distance"
+    return Track(distance=position, time=time, clocked=True, timed=True, notes=(note,))
 
 
 def _integral(values: FloatArray, over: FloatArray) -> FloatArray:

@@ -33,7 +33,9 @@ def test_a_recorded_drive_stands_beside_the_simulated_ones(dashboard: Dashboard)
     dashboard.expect_accessible(mapping)
     mapping.get_by_role("button", name="Show the drive").click()
     expect(page.get_by_role("status").filter(has_text="“drive.csv” is shown")).to_be_visible()
-    expect(page.get_by_test_id("recording")).to_contain_text("drive.csv: Its distance is its speed over its time")
+    expect(page.get_by_test_id("recording")).to_contain_text(
+        "drive.csv: The distance is integrated from the speed over time"
+    )
     expect_new_address(page, address)
     dashboard.expect_curves()
     own = page.locator('tr[data-strategy^="recording:"]').first

@@ -1,5 +1,6 @@
 """Recordings: placed where they were made, and nowhere else; gravity, signs and offsets in them; what is missing."""
 
+import re
 from functools import cache
 from math import nan
 
@@ -58,6 +59,8 @@ def test_start_and_drift_of_the_clock_are_found(start: float, drift: float) -> N
     assert found.reference == "passive"
     assert there(found.offset) == pytest.approx(start * SCENARIO.speed.initial, abs=0.001)
     assert there(found.scale) == pytest.approx(1 + drift, abs=1e-5)
+    assert found.notes[0] == "The distance is integrated from the speed over time"
+    assert re.search(r"position = [01]\.\d{5} × distance [+−] \d+\.\d{3} m$", found.notes[1])
 
 
 def test_a_clock_that_is_far_off_is_found_on_a_long_road() -> None:
