@@ -1,13 +1,20 @@
 """The sums from which metrics are computed, of signals sampled at any times: those of a recording.
 
-Two samples at one instant are the values before and after a jump, as in result files of Modelica tools. Between samples
-signals are straight lines.
+Two samples at one instant are the values before and after a jump, as in result files of Modelica tools.
+
+Mean squares are trapezoids of the squared samples: by Parseval's theorem, evenly spaced samples of a signal without
+content above half the sampling rate have the signal's own power (Oppenheim & Schafer, Discrete-Time Signal Processing,
+3rd ed., 2010, sections 2.9 and 4.2). Straight lines between the samples have less: at a frequency f the share
+(2 + cos(2π f step)) / 3, which is 6 % less at a tenth of the sampling rate. Only where signals jump are accelerations
+straight lines between samples, as in a simulated run, which alone writes jumps.
 """
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from math import ceil, nan
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 from scipy.signal import lfilter
 
 from sim_core.arrays import FloatArray
@@ -18,6 +25,7 @@ from sim_core.metrics.definition import Sums, mean_squares
 
 WEIGHTED_STEP = 1e-3  # longest of the weighting [s]
 SNAP = 0.1  # of a sampling step: a section that ends so near to a sample ends there, as times of a file are rounded
+EVEN = 0.25  # of the usual step: the most that a step between evenly spaced samples differs from it
 AIRBORNE_SHARE = 1 - 1e-6  # of the static load: a tyre that lacks this much has none, as loads of a file are rounded
 
 TimeSpan = tuple[float, float]  # first and last time [s]
@@ -111,7 +119,10 @@ def _in_section(time: FloatArray, table: FloatArray, span: TimeSpan | None) -> t
     if span[1] <= span[0]:
         return np.zeros(len(table)), np.zeros(len(table))
     at, values = _clip_to_span(time, table, span)
-    return mean_squares(values[:, :-1], values[:, 1:]) @ np.diff(at), np.abs(values).max(axis=1)
+    steps = np.diff(at)
+    a, b = values[:, :-1], values[:, 1:]
+    means = mean_squares(a, b) if (steps == 0).any() else (a * a + b * b) / 2
+    return means @ steps, np.abs(values).max(axis=1)
 
 
 def _power(time: FloatArray, table: FloatArray, span: TimeSpan | None) -> tuple[float, float]:
@@ -187,6 +198,10 @@ def _weighted(time: FloatArray, acceleration: FloatArray, span: TimeSpan | None)
 
     The mean is subtracted first: Wk passes nothing at 0 Hz, but a filter that starts from rest would ring with gravity
     or an offset in the signal.
+
+    Evenly spaced samples that are coarser than the filter's step are joined by a cubic spline, others by lines: at a
+    tenth of the sampling rate lines lack 3 % of an oscillation, the spline 0.02 % (Unser, Splines: a perfect fit for
+    signal and image processing, IEEE Signal Processing Magazine 16(6), 1999).
     """
     if span is None:
         return np.full(1, nan), 1.0
@@ -194,10 +209,12 @@ def _weighted(time: FloatArray, acceleration: FloatArray, span: TimeSpan | None)
     values = values - np.trapezoid(values, at) / (span[1] - span[0])
     usual = _usual_step(at)
     step = usual / ceil(usual / WEIGHTED_STEP - SNAP)
+    smooth = step < usual and _is_even(np.diff(at)[1:-1], usual) and np.isfinite(values).all()
+    between = CubicSpline(at, values) if smooth else partial(np.interp, xp=at, fp=values)
     count = int((span[1] - span[0]) / step + SNAP)
     middle = span[0] + step * (np.arange(count) + 0.5)
     # A line through two places within each step: a jump at its end stays out of it.
-    early, late = (np.interp(middle + share * step, at, values) for share in (-0.25, 0.25))
+    early, late = (between(middle + share * step) for share in (-0.25, 0.25))
     begin, end = 1.5 * early - 0.5 * late, 1.5 * late - 0.5 * early
     parts = weighting(step).reshape(3, 2, -1)  # onward, begin and end, each real and imaginary, of every mode
     total = np.zeros(count + 1)
@@ -205,6 +222,11 @@ def _weighted(time: FloatArray, acceleration: FloatArray, span: TimeSpan | None)
         driven = np.concatenate([[0.0], first * begin + last * end])
         total += 2 * lfilter([1.0], [1.0, -turn], driven).real
     return total, step
+
+
+def _is_even(steps: FloatArray, usual: float) -> bool:
+    """Check whether samples these steps apart [s] are evenly spaced, but for the rounding of their times."""
+    return len(steps) > 1 and bool((np.abs(steps - usual) < EVEN * usual).all())
 
 
 def _usual_step(time: FloatArray) -> float:

@@ -69,7 +69,11 @@ def numbers(result: StrategyResult) -> dict[str, float | None]:
     ],
 )
 def test_a_runs_own_export_has_its_own_metrics(name: str, strategy: str) -> None:
-    """Within 0.5 %: the power is of a deflection whose rate a recording does not have, all else is a tenth of that."""
+    """Within 0.05 %, but for two kinds of metrics.
+
+    The power, 0.5 %, is of a deflection whose rate a recording does not have. The RMS of accelerations, 0.1 %, is the
+    samples' own where nothing jumps; a run's is of lines between them.
+    """
     scenario = SCENARIOS[name]
     result = simulate(scenario, strategy)
     export = exports.Export(
@@ -90,4 +94,5 @@ def test_a_runs_own_export_has_its_own_metrics(name: str, strategy: str) -> None
     lacking = {key for each in (ours, theirs) for key, value in each.items() if value is None or isnan(value)}
     assert not lacking, "both have every metric, on a flat bump too"
     for key, value in theirs.items():
-        assert ours[key] == pytest.approx(value, rel=0.005 if "power" in key else 5e-4, abs=1e-6), key
+        relative = 0.005 if "power" in key else 1e-3 if key.endswith("acceleration.rms") else 5e-4
+        assert ours[key] == pytest.approx(value, rel=relative, abs=1e-6), key
