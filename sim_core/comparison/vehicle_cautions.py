@@ -14,9 +14,7 @@ PAPER_SAG = "paper_sag"
 """The kind of a sag that the values of the paper's Table 2 lead to: it says nothing about what a user has entered."""
 
 _AXLES = "front", "rear"
-_ONE_TRACK = "Masses, springs and dampers are of one track, half of the car: "
-_TOO_HEAVY = f"{_ONE_TRACK}is the body mass a whole car's?"
-_TOO_STIFF = f"{_ONE_TRACK}are the springs a whole axle's?"
+_ONE_TRACK = "Masses, springs and dampers are those of one track, half of the car."
 _PRINTED = "These are the paper's own values (Table 2)."
 _REAL = "This is the car that is driven, with the factors of the model mismatch."
 _PAPERS = Vehicle()
@@ -42,11 +40,11 @@ def vehicle_cautions(vehicle: Vehicle) -> tuple[Caution, ...]:
     cautions = []
     if sags := _deep_sags(vehicle):
         is_papers = _is_papers(vehicle, sags)
-        kind, question = (PAPER_SAG, _PRINTED) if is_papers else ("sag", _TOO_HEAVY)
-        cautions.append(Caution(kind=kind, text=f"{_sag_text(sags)} {question}", field=_field(sags)))
+        kind, origin = (PAPER_SAG, _PRINTED) if is_papers else ("sag", _ONE_TRACK)
+        text = f"{_sag_text(sags, _frequencies(vehicle))} {origin}"
+        cautions.append(Caution(kind=kind, text=text, field=_field(sags)))
     if frequencies := _odd_frequencies(vehicle):
-        question = _TOO_HEAVY if min(frequencies.values()) < BODY_FREQUENCIES[0] else _TOO_STIFF
-        text = f"{_frequency_text(frequencies)} {question}"
+        text = f"{_frequency_text(frequencies)} {_ONE_TRACK}"
         cautions.append(Caution(kind="body_frequency", text=text, field=_field(frequencies)))
     return tuple(cautions)
 
@@ -85,7 +83,7 @@ def _real_cautions(scenario: Scenario) -> Iterator[Caution]:
     if frequencies and _frequency_text(frequencies) != _frequency_text(others):
         yield Caution(kind="body_frequency", text=f"{_frequency_text(frequencies)} {_REAL}", field=_changed(scenario))
     pressed = {axle: min(pair) for axle, pair in zip(_AXLES, zip(*real.stop_clearances, strict=True), strict=True)}
-    if resting := {axle: f"{-1000 * each:.0f} mm" for axle, each in pressed.items() if each < 0}:
+    if resting := {axle: f"{-1000 * each:.0f} mm" for axle, each in pressed.items() if round(each, 3) < 0}:
         text = f"At rest the driven car presses its stops by {_at_axles(resting)}: it has no travel left that way."
         yield Caution(kind="rests_on_stops", text=text, field="vehicle.bump_stop_clearance")
 
@@ -100,29 +98,41 @@ def _deep_sags(vehicle: Vehicle, lowered: tuple[float, float] = (0.0, 0.0)) -> d
     """Return the static sag [m] of each axle that has more than usual; `lowered` comes on top of it, front and rear."""
     sags = characteristics(vehicle).static_sag
     sums = {axle: getattr(sags, axle) + more for axle, more in zip(_AXLES, lowered, strict=True)}
-    return {axle: sag for axle, sag in sums.items() if sag > LARGEST_SAG}
+    return {axle: sag for axle, sag in sums.items() if round(sag, 3) > LARGEST_SAG}
 
 
 def _odd_frequencies(vehicle: Vehicle) -> dict[str, float]:
     """Return the body's natural frequency [Hz] above each axle where it is outside the usual range."""
-    (low, high), values = BODY_FREQUENCIES, characteristics(vehicle).natural_frequencies
-    frequencies = {axle: getattr(values, f"{axle}_body") for axle in _AXLES}
-    return {axle: value for axle, value in frequencies.items() if not low <= value <= high}
+    low, high = BODY_FREQUENCIES
+    return {axle: value for axle, value in _frequencies(vehicle).items() if not low <= float(_hertz(value)) <= high}
 
 
-def _sag_text(sags: Mapping[str, float]) -> str:
-    by_axle = _at_axles({axle: f"{1000 * sag:.0f} mm" for axle, sag in sags.items()})
+def _frequencies(vehicle: Vehicle) -> dict[str, float]:
+    """Return the body's natural frequency [Hz] above each axle."""
+    values = characteristics(vehicle).natural_frequencies
+    return {axle: getattr(values, f"{axle}_body") for axle in _AXLES}
+
+
+def _hertz(value: float) -> str:
+    """Return a frequency [Hz] as it is written; what is written decides whether it is usual, too."""
+    return f"{value:.2g}"
+
+
+def _sag_text(sags: Mapping[str, float], frequencies: Mapping[str, float] | None = None) -> str:
+    by_axle = _at_axles({axle: f"{1000 * sag:.0f} mm" for axle, sag in sags.items()}, frequencies)
     return f"The body's weight compresses the suspension by {by_axle}; usual is less than {1000 * LARGEST_SAG:.0f} mm."
 
 
 def _frequency_text(frequencies: Mapping[str, float]) -> str:
     low, high = BODY_FREQUENCIES
-    by_axle = _at_axles({axle: f"{value:.2g} Hz" for axle, value in frequencies.items()})
+    by_axle = _at_axles({axle: f"{_hertz(value)} Hz" for axle, value in frequencies.items()})
     return f"The body's natural frequency is {by_axle}; usual is {low:g} to {high:g} Hz."
 
 
-def _at_axles(by_axle: Mapping[str, str]) -> str:
-    return " and ".join(f"{value} at the {axle} axle" for axle, value in by_axle.items())
+def _at_axles(by_axle: Mapping[str, str], frequencies: Mapping[str, float] | None = None) -> str:
+    """Return each axle's value; behind it, where they are given, the body's natural frequency [Hz] above the axle."""
+    notes = {axle: f" ({_hertz(value)} Hz)" for axle, value in (frequencies or {}).items()}
+    return " and ".join(f"{value} at the {axle} axle{notes.get(axle, '')}" for axle, value in by_axle.items())
 
 
 def _is_papers(vehicle: Vehicle, axles: Mapping[str, float]) -> bool:

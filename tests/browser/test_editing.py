@@ -190,7 +190,7 @@ def test_a_whole_cars_data_sheet_becomes_one_track_and_its_mass_on_one_track_is_
     expect(cautions).to_have_count(0)
     dashboard.type_into("Body mass", "2400")  # the whole car's, on one track's springs
     expect(cautions).to_have_count(2)
-    expect(dashboard.results.get_by_test_id("caution")).to_contain_text("is the body mass a whole car's?")
+    expect(dashboard.results.get_by_test_id("caution")).to_contain_text("are those of one track, half of the car.")
     for _ in range(2):
         page.get_by_role("button", name="Undo").click()
     expect(page).to_have_url(address)

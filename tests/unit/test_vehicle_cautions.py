@@ -4,8 +4,10 @@ from typing import Any
 
 import pytest
 
+from backend.http.openapi import EXAMPLES
 from sim_core.comparison.vehicle_cautions import scenario_cautions, vehicle_cautions
 from sim_core.scenario import Scenario, Vehicle
+from sim_core.scenario.data_sheet import DataSheet
 from sim_core.scenario.presets import PRESETS
 from sim_core.scenario.vehicles import VEHICLES
 
@@ -15,9 +17,9 @@ SOFT = {"front_spring": 20_000, "rear_spring": 20_000}
 @pytest.mark.parametrize(
     ("values", "expected", "said"),
     [
-        ({"body_mass": 2400}, [("sag", "vehicle.body_mass")], "is the body mass a whole car's?"),
-        ({"body_mass": 1271}, [("sag", "vehicle.front_spring")], "301 mm at the front axle; usual"),
-        ({"rear_spring": 12_000}, [("sag", "vehicle.body_mass")], "362 mm at the rear axle; usual"),
+        ({"body_mass": 2400}, [("sag", "vehicle.body_mass")], "by 568 mm at the front axle (0.63 Hz)"),
+        ({"body_mass": 1271}, [("sag", "vehicle.front_spring")], "301 mm at the front axle (0.87 Hz); usual"),
+        ({"rear_spring": 12_000}, [("sag", "vehicle.body_mass")], "362 mm at the rear axle (0.81 Hz); usual"),
         (
             {"body_mass": 9000, **SOFT},
             [("sag", "vehicle.body_mass"), ("body_frequency", "vehicle.body_mass")],
@@ -26,8 +28,8 @@ SOFT = {"front_spring": 20_000, "rear_spring": 20_000}
         (
             {"body_mass": 250, "front_spring": 150_000, "rear_spring": 20_000},
             [("body_frequency", "vehicle.front_spring")],
-            "3.9 Hz at the front axle; usual is 0.5 to 3 Hz. Masses, springs and dampers are of one track, half of the "
-            "car: are the springs a whole axle's?",
+            "3.9 Hz at the front axle; usual is 0.5 to 3 Hz. Masses, springs and dampers are those of one track, half "
+            "of the car.",
         ),
         ({"front_spring": 45_000}, [], ""),
     ],
@@ -38,7 +40,15 @@ def test_sag_and_natural_frequencies_beyond_a_cars_are_said_at_their_field(
     cautions = vehicle_cautions(Vehicle(**values))
     assert [(each.kind, each.field) for each in cautions] == expected
     assert said in " ".join(each.text for each in cautions)
-    assert all("paper" not in each.text for each in cautions)
+    assert all("paper" not in each.text and "?" not in each.text for each in cautions)
+
+
+def test_a_body_at_the_edge_of_what_is_usual_is_not_cautioned() -> None:
+    """A typed 0.5 Hz comes back a hair lower or higher: what is written decides."""
+    sheet = EXAMPLES["DataSheet"] | {"front_frequency": 0.5, "rear_frequency": 3.0}
+    (sag,) = vehicle_cautions(DataSheet.model_validate(sheet).half_car())
+    assert sag.kind == "sag"
+    assert "(0.5 Hz)" in sag.text
 
 
 def test_the_papers_own_sag_is_told_from_ones_own() -> None:
