@@ -114,7 +114,7 @@ function textOf({ shown, reference }: ResultView): string {
     return `One road: a change without an arrow is zero or not beyond the random variation of one road${isMeasured ? "" : "; choose several roads"}.`;
   const isPaired = reference === null || whyNotCompared(shown, reference.shown) === null;
   return isPaired
-    ? "Changes are paired by road, with their 95 % interval; one whose interval includes zero has no arrow."
+    ? "Changes are paired by road, with their 95 % interval; one whose interval includes zero or whose values show the same digits has no arrow."
     : "\u00a0";
 }
 
