@@ -176,6 +176,7 @@ class StrategyResult:
         arrival_speed_kmh: Speed when the front axle meets the bump [km/h].
         series: Time histories: signal -> array (samples,), `time` ascending from 0; units are in catalogue.SIGNALS.
         recording: How a recording became this result, whose values may be NaN; None of a simulated one.
+        label: What its controller is called; None of a recorded drive.
 
     Example:
         >>> from sim_core import Scenario, simulate
@@ -198,9 +199,10 @@ class StrategyResult:
     arrival_speed_kmh: float
     series: Series
     recording: RecordingReport | None = None
+    label: str | None = None
 
     def summary(self) -> dict[str, Any]:
-        """Return everything but the series, the scenario and the strategy's id, ready for JSON."""
+        """Return everything but the series, the scenario, and the strategy's id and label, ready for JSON."""
         of_recording = {} if self.recording is None else {"recording": asdict(self.recording)}
         return {
             "metrics": self.metrics,

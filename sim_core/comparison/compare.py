@@ -8,7 +8,7 @@ from typing import Any
 from sim_core.comparison.caution import Caution
 from sim_core.comparison.change import Change
 from sim_core.comparison.difference_cautions import difference_cautions
-from sim_core.comparison.rows import LOWER_IS_BETTER, Row, changes_between, row_of
+from sim_core.comparison.rows import LOWER_IS_BETTER, Row, changes_between, labels_of, row_of
 from sim_core.comparison.vehicle_cautions import scenario_cautions
 from sim_core.comparison.verdict import Verdict, verdict_on
 from sim_core.errors import RidelabError
@@ -92,13 +92,14 @@ def compare(
 def _rows_of(by_road: Mapping[str, Sequence[StrategyResult]]) -> list[Row]:
     """Return the rows of results; where several are of one strategy, each is called by its key."""
     times = Counter(each[0].strategy for each in by_road.values())
+    labels = labels_of(times)
     return [
         row_of(
             each[0].strategy,
             [result.summary() for result in each],
             is_random=any(result.scenario.is_random for result in each),
             key=key,
-            label=key if times[each[0].strategy] > 1 else None,
+            label=key if times[each[0].strategy] > 1 else each[0].label or labels[each[0].strategy],
         )
         for key, each in by_road.items()
     ]
@@ -130,7 +131,11 @@ def compare_summaries(
         metrics: Flat names of those that are compared.
     """
     keys = tuple(metrics)
-    rows = [row_of(name, each, is_random=scenario.is_random, metrics=keys) for name, each in summaries.items()]
+    labels = labels_of(summaries)
+    rows = [
+        row_of(name, each, is_random=scenario.is_random, metrics=keys, label=labels[name])
+        for name, each in summaries.items()
+    ]
     return _compare(rows, baseline, scenario_cautions(scenario))
 
 

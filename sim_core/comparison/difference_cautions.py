@@ -5,6 +5,7 @@ from typing import Any
 
 from sim_core.comparison.caution import Caution
 from sim_core.comparison.rows import Row
+from sim_core.comparison.sentences import begin_sentence
 from sim_core.scenario import Scenario
 
 MOST_FIELDS = 3  # that one sentence names
@@ -27,16 +28,16 @@ def difference_cautions(scenario: Scenario, reference: Scenario, row: Row, basel
     fields = list(_different(scenario.model_dump(), reference.model_dump()))
     roads = [field for field in fields if field.startswith("road.")]
     others = [field for field in fields if field.partition(".")[0] not in ("road", *_TUNED)]
-    cautions = []
+    subject, cautions = begin_sentence(row.label), []
     if roads:
         text = (
-            f"{row.label} was driven on another road than {baseline} ({_names(roads)}): part of a difference comes "
+            f"{subject} was driven on another road than {baseline} ({_names(roads)}): part of a difference comes "
             "from the road."
         )
         cautions.append(Caution(kind="other_road", text=text, field=roads[0], strategy=row.key))
     if others:
         text = (
-            f"{row.label} was driven in another scenario than {baseline} ({_names(others)}): part of a difference may "
+            f"{subject} was driven in another scenario than {baseline} ({_names(others)}): part of a difference may "
             "come from that."
         )
         cautions.append(Caution(kind="other_scenario", text=text, field=others[0], strategy=row.key))

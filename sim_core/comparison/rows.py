@@ -60,6 +60,17 @@ class Row:
         return one_road_resolution(self.strategy)
 
 
+def labels_of(strategies: Iterable[str]) -> dict[str, str]:
+    """Return what sentences call strategies, by id: recorded drives, whose files' names are not known, by number."""
+    ids = list(dict.fromkeys(strategies))
+    recorded = sorted(name for name in ids if recording_id(name) is not None)
+    if len(recorded) == 1:
+        drives = {recorded[0]: "the recorded drive"}
+    else:
+        drives = {name: f"recorded drive {number}" for number, name in enumerate(recorded, 1)}
+    return {name: drives.get(name) or label_of(name) for name in ids}
+
+
 def row_of(
     strategy: str,
     summaries: Sequence[Mapping[str, Any]],

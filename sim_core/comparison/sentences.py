@@ -19,6 +19,7 @@ from sim_core.comparison.ranking import Ranking, in_catalogue_order
 from sim_core.comparison.rows import Row, changes_between
 
 MOST_GROUPS, MOST_NAMED = 3, 4  # of groups and strategies that one sentence names
+_MOST_GROUPS_IN_WORDS, _MOST_WORDS = 2, 3  # of groups and of each one's metrics; beyond them, metrics are counted
 _SAME_SPEED = 0.01  # arrival speeds closer than this part of each other print the same or nearly so
 _TOGETHER = {PAPER_SIGNALS[:2]: "accelerations", PAPER_SIGNALS[2:]: "tyre loads"}
 _HEADLINES = (metric_key(BUMP, PAPER_SIGNALS[0], PEAK), metric_key(ROUGH_ROAD, PAPER_SIGNALS[0], RMS))
@@ -26,13 +27,23 @@ _WINDOWS = {ROUGH_ROAD: ("RMS ", " on the rough road"), BUMP: ("peak ", " on the
 
 
 def sentences(ranking: Ranking, rows: Sequence[Row], baseline: Row | None) -> Iterator[str]:
-    """Return the sentences of a verdict.
+    """Return the sentences of a verdict, each with a capital letter first.
 
     Args:
         ranking: Of the simulated strategies.
         rows: All strategies, recorded drives too.
         baseline: What changes refer to; None where it failed.
     """
+    yield from map(begin_sentence, _sentences(ranking, rows, baseline))
+
+
+def begin_sentence(text: str) -> str:
+    """Return a sentence with a capital letter first, whatever the label that it begins with."""
+    return text[:1].upper() + text[1:]
+
+
+def _sentences(ranking: Ranking, rows: Sequence[Row], baseline: Row | None) -> Iterator[str]:
+    """Return the sentences, whose first word may be a label without a capital letter."""
     if len(rows) < 2:
         yield f"There is no other result to compare {rows[0].label} with." if rows else "There is no result to compare."
         return
@@ -55,7 +66,9 @@ def _best_sentence(ranking: Ranking) -> str:
     if others:
         return f"{lead}, but {_clauses(others)}."
     rest = "the other one" if count - wins == 1 else f"the other {count - wins}"
-    return f"{lead}; in {rest} no strategy is better{beyond}."
+    words = _MetricWords([metric for metric, best in ranking.best.items() if best is not winner])
+    named = f" ({words.text})" if words.count <= _MOST_WORDS else ""
+    return f"{lead}; in {rest}{named} no strategy is better{beyond}."
 
 
 def _without_winner(ranking: Ranking) -> str:
@@ -88,43 +101,67 @@ def _groups(ranking: Ranking) -> list[Group]:
 
 
 def _clauses(groups: Sequence[Group]) -> str:
-    """Return who has the lowest what: `LV control has the lowest tyre loads, Passive the lowest accelerations`."""
+    """Return who has the lowest what, and in how many metrics who leads where that would be long."""
+    words = [_MetricWords(metrics) for _, metrics in groups]
+    if len(groups) > _MOST_GROUPS_IN_WORDS or any(each.count > _MOST_WORDS for each in words):
+        return _counts(groups)
+    parts: list[str] = []
+    for (undominated, _), each in zip(groups, words, strict=True):
+        verb = "" if parts else " has" if len(undominated) == 1 else " have"
+        parts.append(f"{_labels(undominated)}{verb} the lowest {each.text}")
+    return ", ".join(parts)
+
+
+def _counts(groups: Sequence[Group]) -> str:
+    """Return in how many metrics who leads: `LV control and LQR share the lead in 4 metrics; Passive leads in 3`."""
     parts: list[str] = []
     for undominated, metrics in groups[:MOST_GROUPS]:
-        verb = "" if parts else " has" if len(undominated) == 1 else " have"
-        parts.append(f"{_labels(undominated)}{verb} the lowest {_metric_words(metrics)}")
-    rest = sum(len(metrics) for _, metrics in groups[MOST_GROUPS:])
-    return ", ".join(parts) + (f", and others lead in {rest} more" if rest else "")
+        unit = "" if parts else " metric" if len(metrics) == 1 else " metrics"
+        lead = "leads" if len(undominated) == 1 else "share the lead"
+        parts.append(f"{_labels(undominated)} {lead} in {len(metrics)}{unit}")
+    if rest := sum(len(metrics) for _, metrics in groups[MOST_GROUPS:]):
+        parts.append(f"others lead in {rest}")
+    return "; ".join(parts)
 
 
-def _metric_words(metrics: Sequence[str]) -> str:
-    """Return the paper's metrics in words: `accelerations`, `peak tyre loads on the bump`."""
-    signals = {
-        window: [signal for signal in PAPER_SIGNALS if metric_key(window, signal, statistic) in metrics]
-        for window, statistic in PAPER_VIEWS
-    }
-    both = [signal for signal in PAPER_SIGNALS if all(signal in each for each in signals.values())]
-    parts = [_signals(both)] if both else []
-    for window, each in signals.items():
-        if rest := [signal for signal in each if signal not in both]:
-            statistic, where = _WINDOWS[window]
-            parts.append(f"{statistic}{_signals(rest)}{where}")
-    return _join_words(parts)
+class _MetricWords:
+    """Some of the paper's metrics in words: `accelerations`, `peak tyre loads on the bump`.
+
+    Attributes:
+        text: All of them.
+        count: How many signals are named in it, those of a kind as one.
+    """
+
+    def __init__(self, metrics: Sequence[str]) -> None:
+        signals = {
+            window: [signal for signal in PAPER_SIGNALS if metric_key(window, signal, statistic) in metrics]
+            for window, statistic in PAPER_VIEWS
+        }
+        both = [signal for signal in PAPER_SIGNALS if all(signal in each for each in signals.values())]
+        words = _signals(both)
+        parts = [_join_words(words)] if words else []
+        self.count = len(words)
+        for window, each in signals.items():
+            if rest := _signals([signal for signal in each if signal not in both]):
+                statistic, where = _WINDOWS[window]
+                parts.append(f"{statistic}{_join_words(rest)}{where}")
+                self.count += len(rest)
+        self.text = _join_words(parts)
 
 
-def _signals(signals: Sequence[str]) -> str:
+def _signals(signals: Sequence[str]) -> list[str]:
     """Return signals in words, those of a kind together."""
     words, rest = [], list(signals)
     for pair, together in _TOGETHER.items():
         if set(pair) <= set(rest):
             words.append(together)
             rest = [signal for signal in rest if signal not in pair]
-    return _join_words([*words, *(SIGNALS[signal].label.lower() for signal in rest)])
+    return [*words, *(SIGNALS[signal].label.lower() for signal in rest)]
 
 
 def _difference_sentence(ranking: Ranking, baseline: Row | None) -> Iterator[str]:
     """Return by how much the ride differs from the baseline's, or from the next best where the baseline is best."""
-    metric = next((key for key in _HEADLINES if key in ranking.metrics), None)
+    metric = _quoted_metric(ranking)
     if metric is None or not ranking.rows:
         return
     in_turn = sorted(ranking.rows, key=lambda row: row.means[metric])
@@ -132,11 +169,20 @@ def _difference_sentence(ranking: Ranking, baseline: Row | None) -> Iterator[str
     rival = baseline if baseline is not subject else next((row for row in in_turn if row is not subject), None)
     if rival is None or metric not in rival.means:
         return
+    if not rival.is_recorded and not changes_between(subject, rival, [metric])[metric].beyond_variation:
+        return  # the first sentence says already that neither is better
     window, signal = METRICS[metric].path[1:3]
     statistic, where = _WINDOWS[window]
     is_only_one_named = subject is ranking.winner and subject in ranking.never_worse
     whose = "Its" if is_only_one_named else f"With {subject.label}, the"
     yield f"{whose} {statistic}{SIGNALS[signal].label.lower()}{where} {_compared(subject, rival, metric)}."
+
+
+def _quoted_metric(ranking: Ranking) -> str | None:
+    """Return the metric whose difference is said: of a winner one that it is best in."""
+    winner = ranking.winner
+    in_turn = [*_HEADLINES, *ranking.metrics]
+    return next((key for key in in_turn if key in ranking.metrics and winner in (None, ranking.best[key])), None)
 
 
 def _compared(subject: Row, rival: Row, metric: str) -> str:

@@ -13,8 +13,8 @@ class Verdict:
     """The verdict of a comparison: the best strategy by metric, and as text.
 
     Attributes:
-        text: Whole sentences: who is best in how many of the paper's metrics, by how much the ride on the bump differs
-            from the baseline, and at which speed each was driven.
+        text: Whole sentences: who is best in how many of the paper's metrics, by how much one that it is best in
+            differs from the baseline's, and at which speed each was driven.
         best: Metric -> the strategy that is lower than every other one beyond random variation; None where none is. Of
             the paper's eight metrics those that every simulated strategy has.
         mixed: Whether every strategy has a metric in which another one is lower beyond random variation.

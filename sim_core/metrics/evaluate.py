@@ -63,6 +63,7 @@ def evaluate(run: Run, windows: Windows, recorder: Recorder, recording: Recordin
         travel_time=speed_profile.time_at(scenario.road.length),
         arrival_speed_kmh=arrival / KMH,
         series=Series(run.excitation.series, columns, recording.car.fine),
+        label=controller.label,
     )
 
 
