@@ -183,6 +183,14 @@ def test_a_whole_cars_data_sheet_becomes_one_track_and_its_mass_on_one_track_is_
     expect(outcome.get_by_role("row", name="Body mass, one track of two")).to_contain_text("1135 kg")
     expect(sheet.get_by_role("row", name="Natural frequency, body")).to_contain_text("1.20 Hz, ζ 0.25")
     dashboard.expect_accessible(sheet)
+    sheet.get_by_label("Front natural frequency").fill("0.6")
+    caution = sheet.get_by_test_id("caution")
+    expect(caution).to_contain_text("compresses the suspension by 662 mm at the front axle")
+    warned, table = caution.bounding_box(), outcome.bounding_box()
+    assert warned is not None
+    assert table is not None
+    assert warned["y"] + warned["height"] <= table["y"]
+    sheet.get_by_label("Front natural frequency").fill("1.2")
     apply.click()
     expect(dashboard.entry("Body mass")).to_have_value("1135")
     expect_new_address(page, address)

@@ -1,6 +1,6 @@
 /** A whole car's data sheet, typed in: what becomes of it as a half-car, before it is the scenario's vehicle. */
 
-import { Box, Button, Group as Row, Modal, Text } from "@mantine/core";
+import { Box, Button, Group as Row, Modal, Stack, Text } from "@mantine/core";
 import { useDebouncedValue } from "@mantine/hooks";
 import { keepPreviousData, queryOptions, useQuery } from "@tanstack/react-query";
 import { createAtom, useSelector } from "@tanstack/react-store";
@@ -21,8 +21,11 @@ import { formatExact } from "../../units/format";
 import { submits } from "../../ui/ListEntry";
 import { Fault } from "../../ui/Messages";
 import { CharacteristicsTable } from "./CharacteristicsTable";
+import classes from "./editor.module.css";
 
 const VEHICLE = "/vehicle";
+/** Of what becomes of the car: whole on a laptop, its heads in sight on a phone. */
+const TABLE_HEIGHT = "min(26rem, 50dvh)";
 /** A number that is being typed is not asked about at each digit [ms]. */
 const TYPED_MS = 300;
 
@@ -165,11 +168,15 @@ function Outcome({ half, vehicle, total }: OutcomeProps) {
     ];
   });
   return (
-    <>
+    <Stack gap="sm" mt="md" className={classes.outcome ?? ""}>
+      {half.cautions.map(({ kind, text }) => (
+        <Caution key={kind} text={text} />
+      ))}
       <DataTable
         label={`What becomes of a car of ${formatExact(total, "kg")}: one track of two`}
         captioned
-        attributes={{ "data-dense": true }}
+        height={TABLE_HEIGHT}
+        attributes={{ "data-dense": true, style: { fontSize: "var(--mantine-font-size-xs)" } }}
         rows={rows}
         rowKey={({ leaf }) => leaf.pointer}
         columns={[
@@ -184,10 +191,7 @@ function Outcome({ half, vehicle, total }: OutcomeProps) {
         ]}
       />
       <CharacteristicsTable of={half.characteristics} />
-      {half.cautions.map(({ kind, text }) => (
-        <Caution key={kind} text={text} />
-      ))}
-    </>
+    </Stack>
   );
 }
 
