@@ -209,6 +209,7 @@ def test_a_field_that_nothing_shown_uses_says_who_does(dashboard: Dashboard) -> 
     dashboard.open()
     page, address = dashboard.page, dashboard.page.url
     search, unused = page.get_by_label("Find a field"), page.get_by_test_id("unused")
+    shown = ("LV control", "LQR", "Passive")
     search.fill("Sensor noise")
     noise = page.locator("[data-pointer='/hil/noise']").first
     expect(noise.get_by_test_id("unused")).to_have_text("No shown strategy uses this. LV as ECU code does.")
@@ -232,6 +233,21 @@ def test_a_field_that_nothing_shown_uses_says_who_does(dashboard: Dashboard) -> 
     search.fill("skyhook damping")
     damping = page.locator("[data-pointer='/hook/skyhook_damping']").first
     expect(damping.get_by_test_id("unused")).to_have_text("No shown strategy uses this. Skyhook and Hybrid hook do.")
+    search.fill("least damping")
+    expect(unused).to_have_text("Used only with Semi-active: On, by Skyhook, Groundhook and Hybrid hook.")
+    search.fill("bump")
+    expect(page.get_by_role("img", name=re.compile("^Bump of height 10 cm"))).to_be_visible()
+    for name in shown:
+        dashboard.chip(name).click()
+    expect(page.get_by_role("img", name=re.compile("^Bump of height 10 cm"))).to_be_visible()
+    expect(page.locator("[data-pointer='/road/bump/spacing']").get_by_test_id("unused")).to_have_text(
+        "Without effect with Bumps: 1"
+    )
+    dashboard.type_into("Height", "8")
+    expect(page.get_by_text("The bump is drawn as soon as a strategy is shown.")).to_be_visible()
+    page.get_by_role("button", name="Undo").click()
+    for name in shown:
+        dashboard.chip(name).click()
     page.get_by_role("button", name="Undo").click()
     expect(page).to_have_url(address)
 

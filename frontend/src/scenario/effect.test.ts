@@ -62,6 +62,8 @@ it("a field that no shown strategy uses says who does, as strategies come and go
   expect(say("/road/height", ["passive"])).toBeNull();
   expect(say("/mpc/weight", [])).toBeNull();
   expect(say("/mpc/weight", ["recording:a"])).toBeNull();
+  expect(say("/road/shape", [], { road: { height: 0 } })).toBe("Without effect with Height: 0");
+  expect(say("/state/noise", [])).toBe("Used only with State: Kalman");
   const many = ["A", "B", "C", "D", "E"].map((label) => ({ ...ECU, id: label, label }));
   expect(say("/ecu/bits", ["lv"], {}, [LV, ...many])).toBe("No shown strategy uses this. A, B, C and 2 more do.");
 });
@@ -79,7 +81,20 @@ it("a field that other values leave without effect says which, as they change", 
   expect(say("/state/noise", ["lv", "passive"])).toBe("Used only with State: Kalman");
   expect(say("/state/noise", ["lv"], { state: { kind: "kalman" } })).toBeNull();
   expect(say("/state/noise", ["passive"], { state: { kind: "kalman" } })).toBe("No shown strategy uses this. LV does.");
-  expect(say("/state/noise", ["passive"])).toBe("No shown strategy uses this. LV does.");
+  expect(say("/state/noise", ["passive"])).toBe("Used only with State: Kalman, by LV.");
+  const hooks = ["Sky", "Ground", "Hybrid"].map((label) => ({ ...LV, id: label, label }));
+  expect(say("/state/noise", ["passive"], {}, [...hooks, PASSIVE])).toBe(
+    "Used only with State: Kalman, by Sky, Ground and Hybrid.",
+  );
+  const other: Reading = { ...ECU, reads_when: [{ ...noise, conditions: [is("mpc.preview", "none")] }] };
+  expect(say("/state/noise", ["passive"], {}, [LV, other, PASSIVE])).toBe(
+    "No shown strategy uses this. LV and ECU do.",
+  );
+  const high = { ...LV, reads_when: [shape] };
+  const flat = { road: { height: 0 } };
+  expect(say("/road/shape", ["ecu"], flat, [high, { ...ECU, reads_when: [] }])).toBe(
+    "Without effect with Height: 0. Only LV uses this.",
+  );
   const rough = { fields: ["road.shape"], conditions: [is("state.kind", "kalman")] };
   const either: Reading = { ...PASSIVE, reads_when: [rough, shape] };
   expect(say("/road/shape", ["passive"], { road: { height: 0 } }, [either])).toBe("Without effect with Height: 0");

@@ -68,22 +68,37 @@ interface Looked {
   readonly on: readonly string[];
 }
 
-/** What to say of a field, or of several alike, that no shown strategy uses in this scenario; `null` where one does. */
+/**
+ * What to say of a field, or of several alike, that no shown strategy uses in this scenario; `null` where one does.
+ * Where no strategy is shown, all of them are asked.
+ */
 export function unusedText(
   edited: Edited,
   pointer: Pointer,
   { strategies, on }: Looked,
   what: "this" | "these" = "this",
 ): string | null {
-  const shown = strategies.filter(({ id }) => on.includes(id));
-  if (shown.length === 0 || shown.some((strategy) => isUsed(strategy, pointer, edited))) return null;
+  const chosen = strategies.filter(({ id }) => on.includes(id));
+  const shown = chosen.length > 0 ? chosen : strategies;
+  if (shown.some((strategy) => isUsed(strategy, pointer, edited))) return null;
   const others = strategies.filter((strategy) => isUsed(strategy, pointer, edited));
   const need = others.length > 0 ? null : missing(shown, pointer, edited);
   if (need !== null) return saidOf(need, pointer, edited.form);
   // Where other values have to change too, those that then would.
   const users = others.length > 0 ? others : strategies.filter((each) => needsOf(each, pointer).length > 0);
   if (users.length === 0) return null;
-  return `No shown strategy uses ${what}. ${listed(users.map(({ label }) => label))} ${users.length === 1 ? "does" : "do"}.`;
+  const names = listed(users.map(({ label }) => label));
+  const common = others.length > 0 ? null : commonText(users, pointer, edited);
+  if (common?.startsWith(WANTED)) return `${common}, by ${names}.`;
+  if (common !== null) return `${common}. Only ${names} ${users.length === 1 ? "uses" : "use"} ${what}.`;
+  return `No shown strategy uses ${what}. ${names} ${users.length === 1 ? "does" : "do"}.`;
+}
+
+/** What all of these strategies lack to use the field; `null` where they lack different things. */
+function commonText(users: readonly Reading[], pointer: Pointer, edited: Edited): string | null {
+  const texts = users.map((user) => saidOf(missing([user], pointer, edited) ?? [], pointer, edited.form));
+  const [first = null] = texts;
+  return texts.every((text) => text === first) ? first : null;
 }
 
 /** The fewest conditions that fail, rather on fields beside this one. */
@@ -104,10 +119,12 @@ function listed(labels: readonly string[]): string {
   return AND.format(rest > 1 ? [...labels.slice(0, MOST_NAMED), `${rest} more`] : labels);
 }
 
+const WANTED = "Used only with";
+
 /** `Used only with State: Kalman`, `Without effect with Height: 0 cm`. */
 function saidOf(need: Need, pointer: Pointer, form: Group): string {
   const [excluded, wanted] = [need.filter((each) => each.excluded), need.filter((each) => !each.excluded)];
-  const [conditions, begins] = wanted.length > 0 ? [wanted, "Used only with"] : [excluded, "Without effect with"];
+  const [conditions, begins] = wanted.length > 0 ? [wanted, WANTED] : [excluded, "Without effect with"];
   return `${begins} ${AND.format(conditions.map((each) => conditionText(each, pointer, form)))}`;
 }
 

@@ -3,10 +3,10 @@
 import { Text } from "@mantine/core";
 import { useElementSize } from "@mantine/hooks";
 import { useQuery } from "@tanstack/react-query";
-import { useLab } from "../../lab/context";
+import { useFromScenario, useLab } from "../../lab/context";
 import { DETAIL_POINTS, seriesQuery } from "../../server/queries";
 import { valueText } from "../../scenario/limits";
-import { getAt, numberAt } from "../../scenario/path";
+import { getAt, numberAt, sameValue } from "../../scenario/path";
 import type { Member, NumberField } from "../../scenario/schema";
 import type { Scenario } from "../../api/types";
 import type { Series } from "../../api/decode";
@@ -16,11 +16,17 @@ import { covering, valueAt } from "../../lib/samples";
 const [ROOM, TOP] = [54, 18];
 const FLOOR = TOP + ROOM + 24;
 
+const ROAD = "/road";
+
 export function BumpDrawing({ members }: { readonly members: readonly Member[] }) {
-  const shown = useLab((state) => (state.strategies.length > 0 ? state.shown : null));
+  const road = useFromScenario((scenario) => getAt(scenario, ROAD) ?? null);
+  const idle = useLab((state) => state.strategies.length === 0);
+  // Without strategies nothing is computed: what was shown last may be of another road.
+  const shown = useLab((state) => (idle && !sameValue(getAt(state.shown?.scenario, ROAD), road) ? null : state.shown));
   const [strategy = "", series = {}] = Object.entries(shown?.series ?? {})[0] ?? []; // the road is every strategy's
   const drawn = shown && bumpSketch(shown.scenario, series);
-  const height = shown && getAt(shown.scenario, "/road/bump/height");
+  const driven = shown?.scenario ?? { road };
+  const height = getAt(driven, "/road/bump/height");
   const isCoarse = drawn === null && height !== 0 && strategy !== "";
   const run = shown?.runId ?? "";
   const fine = useQuery({ ...seriesQuery(run, [strategy], DETAIL_POINTS), enabled: isCoarse && run !== "" }).data?.[
@@ -42,12 +48,14 @@ export function BumpDrawing({ members }: { readonly members: readonly Member[] }
         width={valueText(widthField, sketch.width)}
       />
     );
-  if (height !== 0) return <div style={{ height: FLOOR }} />; // on its way
+  if (height !== 0 && !idle) return <div style={{ height: FLOOR }} />; // on its way
   return (
     <Text size="xs" mt={4} c="dimmed">
-      {getAt(shown?.scenario, "/road/profile")
-        ? "No bump is added to the measured road."
-        : "Height 0: there is no bump."}
+      {height !== 0
+        ? "The bump is drawn as soon as a strategy is shown."
+        : getAt(driven, "/road/profile")
+          ? "No bump is added to the measured road."
+          : "Height 0: there is no bump."}
     </Text>
   );
 }
