@@ -170,7 +170,7 @@ def early(paper: dict[str, Any], done: int) -> dict[str, Any]:
     verdicts = [cell["verdict"] for cell in cells]
     counts = {name: verdicts.count(name) for name in VERDICTS}
     patched = {"cells": cells, "counts": counts, "reached": counts["reached"]}
-    return paper | patched | {"complete": False, "progress": {"done": done, "total": 300}}
+    return paper | patched | {"complete": False, "progress": {"done": done, "total": 420}}
 
 
 @pytest.mark.thorough
@@ -183,7 +183,7 @@ def test_cells_come_as_they_are_computed_and_nothing_jumps(dashboard: Dashboard)
     page.route("**/api/v1/paper?partial=true", answer_early)
     page.route("**/api/v1/paper/*", lambda _: None)  # what follows the tables stays as high as it is
     open_paper(page)
-    expect(page.get_by_test_id("progress")).to_have_text("60 of 300 runs")
+    expect(page.get_by_test_id("progress")).to_have_text("60 of 420 runs")
     pending = page.locator("table[data-table] tr[data-verdict=pending]")
     expect(pending).to_have_count(40)
     expect(page.get_by_test_id("count")).to_contain_text(re.compile(r"^\d+\s+of 48 cells reached so far"))
@@ -193,7 +193,7 @@ def test_cells_come_as_they_are_computed_and_nothing_jumps(dashboard: Dashboard)
     page.unroute("**/api/v1/paper?partial=true")
     settled(page)
     expect(pending).to_have_count(0)
-    expect(page.get_by_test_id("progress")).to_have_text("Computed from 300 runs.")
+    expect(page.get_by_test_id("progress")).to_have_text("Computed from 420 runs.")
     after = page.evaluate(places)
     moved = max(abs(new - old) for old, new in zip(before, after, strict=True))
     assert moved < 60  # [px]: an uncertain verdict may take a line
