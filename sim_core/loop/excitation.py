@@ -18,6 +18,7 @@ from sim_core.scenario import Road, Scenario
 from sim_core.speed.profile import SPEED_CONTROL_PERIOD, SpeedPlan, SpeedProfile
 
 FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
+ON_STOP = 2e-4  # longest fine step of a car that rests on a stop: each small motion meets the kink of its force [s]
 SHORT_STEP = 1e-3  # longest step in which a delayed controller's commands may arrive [s]
 
 
@@ -118,7 +119,9 @@ def longest_fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool) ->
     if plan == "planned" and not lagging:
         held = min(held, speed.target)
     over_grid = COARSEST if scenario.road.is_smooth else GRID / held
-    return min(COARSEST, max(FINEST, min(0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)))
+    rests_on_stop = min(min(each) for each in vehicle.stop_clearances) < 0
+    longest = ON_STOP if rests_on_stop else COARSEST
+    return min(longest, max(FINEST, min(0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)))
 
 
 @cached
