@@ -178,7 +178,7 @@ def _drive(options: argparse.Namespace) -> int:
     from pydantic import ValidationError
 
     from backend.command_error import CommandError
-    from backend.controller.program import driven
+    from backend.ecu.program import driven
     from sim_core.errors import RidelabError
     from sim_core.scenario import Scenario
 

@@ -12,7 +12,8 @@ from backend.batches.service import BatchService
 from backend.compute.executor import Executor
 from backend.compute.local_executor import LocalExecutor
 from backend.compute.workers import BATCH_NICE, RESERVED, Workers
-from backend.controller.service import Controllers
+from backend.custom_controllers.watch import Watch
+from backend.ecu.service import Controllers
 from backend.fmu.service import Fmus
 from backend.gate import Gate
 from backend.http.parts import HttpParts
@@ -21,7 +22,6 @@ from backend.http.tokens import Logins, Tokens
 from backend.jobs.scheduler import Scheduler
 from backend.links.service import Links
 from backend.metrics import service_registry
-from backend.own.watch import Watch
 from backend.paper.rows import REPRODUCTION, PaperRows
 from backend.paper.service import Paper
 from backend.recordings.service import Recordings

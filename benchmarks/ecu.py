@@ -1,6 +1,6 @@
 """What an operation of the ECU's controller costs on its processor, by emulation: `python -m benchmarks.ecu`.
 
-backend/controller/effort.py has the result as CYCLES_PER_OPERATION and SPREAD, to which tests/unit/test_ecu_export.py
+backend/ecu/effort.py has the result as CYCLES_PER_OPERATION and SPREAD, to which tests/unit/test_ecu_export.py
 holds it.
 """
 
@@ -10,8 +10,8 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from backend.controller import effort, firmware
-from backend.controller.link import ProcessEcu, connected
+from backend.ecu import effort, firmware
+from backend.ecu.link import ProcessEcu, connected
 from benchmarks.cortex_m3 import CortexM3
 from sim_core import Mpc, Scenario, simulate
 from sim_core.ecu.calibration import Calibration, Checked

@@ -6,9 +6,9 @@ from fastapi import Response
 
 from backend.api import router
 from backend.api.deps import Client, service
-from backend.controller import models
-from backend.controller.export import FOLDER
-from backend.controller.service import Controllers
+from backend.ecu import models
+from backend.ecu.export import FOLDER
+from backend.ecu.service import Controllers
 from backend.fmu.models import FmuRequest
 from backend.fmu.service import Fmus
 from backend.http.answers import json_answer

@@ -6,7 +6,7 @@ from fastapi import APIRouter, Request, Response
 from prometheus_client.exposition import choose_encoder
 from pydantic import Field
 
-from backend import own
+from backend import custom_controllers
 from backend.http.answers import json_answer
 from backend.models import Answer
 from backend.services import services_of
@@ -50,7 +50,7 @@ async def readyz(request: Request) -> Response:
     parts = {"store": await services.store.usable(), "workers": services.workers.ready}
     ready = all(parts.values())
     answer: dict[str, object] = {"status": "ready" if ready else "starting", **parts, "reason": services.store.damage}
-    answer["controllers"] = own.faults()
+    answer["controllers"] = custom_controllers.faults()
     return json_answer(answer, status=200 if ready else 503)
 
 

@@ -15,7 +15,7 @@ import numpy as np
 import orjson
 from cachetools import LRUCache
 
-from backend import own
+from backend import custom_controllers
 from backend.batches import robustness, summary
 from backend.batches.models import BatchSummary
 from backend.compute.shared_computations import SharedComputations
@@ -110,7 +110,7 @@ class _Gathered:
     def unchanged(self) -> list[str]:
         """The strategies whose law is the one that was driven, not that of a file that was saved since."""
         names = self._batch.request["strategies"]
-        return [name for name in names if self._sources.get(name) == own.source(name)]
+        return [name for name in names if self._sources.get(name) == custom_controllers.source(name)]
 
     def study(
         self,

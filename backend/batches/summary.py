@@ -23,8 +23,8 @@ from backend.batches.summary_models import (
     StrategySummary,
 )
 from backend.cost.affordable import simulate
+from backend.custom_controllers import isolated
 from backend.json_types import JsonObject, Summary
-from backend.own import isolated
 from backend.scenario_at import NO_ROADS, scenario_at
 from sim_core import FloatArray, RidelabError, Scenario
 from sim_core.controller_files import ControllerFileError

@@ -4,10 +4,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from backend.custom_controllers.registry import ControllerSource
 from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
-from backend.own.registry import ControllerSource
 from sim_core.scenario import Scenario
 from sim_core.scenario.measured import MeasuredRoad
 
@@ -29,7 +29,7 @@ class Chunk:
         budget: After so long no further run of it is begun [s].
         timeout: The whole chunk may take so long [s].
         priority: Those of the highest come first.
-        controllers: Those of one's own that there are (`backend.own.controller_sources`).
+        controllers: Those of one's own that there are (`backend.custom_controllers.controller_sources`).
     """
 
     compute: ComputeRun

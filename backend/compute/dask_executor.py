@@ -12,7 +12,7 @@ from typing import Self
 
 from distributed import Client, Security, get_worker
 
-from backend import own
+from backend import custom_controllers
 from backend.compute.chunk_messages import Chunk, ChunkOutcome
 from backend.compute.executor import ExecutorLostError
 from backend.compute.local_executor import LocalExecutor
@@ -126,7 +126,7 @@ async def _on_worker(chunk: Chunk, warm_up: str) -> ChunkOutcome:
     if executor is None:
         workers = Workers(worker.state.nthreads, timeout=chunk.timeout, warm_up=warm_up, nice=BATCH_NICE)
         executor = _executors[worker.address] = LocalExecutor(workers)
-    own.adopt(chunk.controllers)
+    custom_controllers.adopt(chunk.controllers)
     return await executor.compute(chunk)
 
 

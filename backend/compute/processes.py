@@ -116,16 +116,16 @@ def call_and_measure(function: Callable[..., T], args: tuple[Any, ...], controll
     Args:
         function: What to call.
         args: Its arguments.
-        controllers: Those of one's own that there are (`backend.own.controller_sources`).
+        controllers: Those of one's own that there are (`backend.custom_controllers.controller_sources`).
 
     Raises:
         CalledOffError: By INTERRUPT, between two steps of Python and after an import that is under way; the process is
             well and its caches are empty.
     """
-    from backend import own
+    from backend import custom_controllers
 
     global _interruptible
-    own.adopt(controllers)
+    custom_controllers.adopt(controllers)
     try:
         try:
             _interruptible = True

@@ -91,9 +91,11 @@ class WorkerProcess:
             ProcessExpired: The process died.
             TimeoutError: It took longer than `timeout` [s] and was ended, or the pool is stuck.
         """
-        from backend import own  # takes the core, which the service imports beside its first worker
+        from backend import custom_controllers  # takes the core, which the service imports beside its first worker
 
-        task = self._schedule(processes.call_and_measure, (function, args, own.controller_sources()), timeout)
+        task = self._schedule(
+            processes.call_and_measure, (function, args, custom_controllers.controller_sources()), timeout
+        )
         result: tuple[T, int] = await self._result(task, timeout)
         return result
 

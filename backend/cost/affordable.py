@@ -2,7 +2,7 @@
 
 from backend.compute.processes import trim_memory
 from backend.cost.estimate import check_affordable, references
-from backend.own import isolated
+from backend.custom_controllers import isolated
 from sim_core import Scenario, StrategyResult
 from sim_core.caching import SHARED
 from sim_core.errors import TooExpensiveError

@@ -6,6 +6,7 @@ import json
 import zipfile
 from collections.abc import Sequence
 
+from backend.custom_controllers.registry import isolated
 from backend.fmu.binaries import PLATFORMS, binaries
 from backend.fmu.controller import controller_model
 from backend.fmu.description import (
@@ -17,7 +18,6 @@ from backend.fmu.description import (
 )
 from backend.fmu.model import Model, sources, variables_header
 from backend.fmu.vehicle import vehicle_model
-from backend.own.registry import isolated
 from sim_core.ecu.sources import SOURCES as ECU_SOURCES
 from sim_core.scenario import Scenario
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from time import monotonic
 
-from backend.controller.build import TOO_LONG, EcuError, compiled, compiler_cache, compilers, has_zig, zig
+from backend.ecu.build import TOO_LONG, EcuError, compiled, compiler_cache, compilers, has_zig, zig
 from backend.fmu.description import Version
 
 # By the name that FMI 2.0 has: that of 3.0, the ending, ziglang's target.

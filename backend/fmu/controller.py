@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from backend.controller import export
+from backend.ecu import export
 from backend.fmu.model import Model, Variable, array, sources
 from sim_core import Controller, EcuController, FloatArray, RidelabError, Scenario, Setup
 from sim_core.control.cost import KILO

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 from starlette.requests import HTTPConnection
 
+from backend.custom_controllers.watch import Watch
 from backend.gate import Gate
 from backend.http.tokens import Logins, Tokens
-from backend.own.watch import Watch
 from backend.settings import Settings
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import orjson
 from sqlalchemy.exc import DataError, IntegrityError, ProgrammingError, SQLAlchemyError
 
-from backend import metrics, own
+from backend import custom_controllers, metrics
 from backend.compute.chunk_messages import Chunk, ChunkOutcome, Trouble
 from backend.compute.executor import Executor, ExecutorLostError
 from backend.errors import CHEAPER_RUN
@@ -106,7 +106,7 @@ class Dispatch:
             budget=CHUNK_BUDGET,
             timeout=self._timeout,
             priority=priority,
-            controllers=own.controller_sources(),
+            controllers=custom_controllers.controller_sources(),
         )
 
     async def _roads(self, job: StoredJob, runs: Sequence[JobRun]) -> dict[str, MeasuredRoad]:

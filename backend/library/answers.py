@@ -8,7 +8,7 @@ from typing import Any
 import orjson
 from pydantic import BaseModel
 
-from backend import own
+from backend import custom_controllers
 from backend.http.kinds import KINDS
 from backend.json_types import JsonObject
 from backend.library.models import (
@@ -38,7 +38,7 @@ def schema() -> bytes:
     Beside it stands the schema of a data sheet, which `POST /vehicles/from-data-sheet` takes.
     """
     plain = _scenario_schema()
-    parts = {f"{dotted.OWN}{each.id}": each for each in own.descriptions() if each.options}
+    parts = {f"{dotted.OWN}{each.id}": each for each in custom_controllers.descriptions() if each.options}
     options = {
         "properties": {each.id: {"$ref": f"#/$defs/{name}", "title": each.label} for name, each in parts.items()}
     }
@@ -91,13 +91,13 @@ def strategies() -> bytes:
 
 def _origin(name: str) -> JsonObject:
     """What is said of a controller of one's own beside what is said of every strategy."""
-    origin = own.origin(name)
+    origin = custom_controllers.origin(name)
     if origin is None:
         return {"own": False, "source": None, "options": _options({}), "fault": None}
     controller_source, description = origin
     return {
         "own": True,
-        "source": own.source(name),
+        "source": custom_controllers.source(name),
         "options": _options(description.options),
         "fault": controller_source.fault,
     }

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 
 import orjson
 
-from backend import digest, own
+from backend import custom_controllers, digest
 from backend.cost.affordable import simulate
 from backend.outcome import JSON_OPTIONS, Outcome, Sampling, elapsed_ms
 from backend.runs.series import pack
@@ -33,9 +33,9 @@ def compute(scenario: Scenario, strategy: str, key: str, sampling: Sampling | No
     """Simulate one strategy; arguments as of `compute_run`."""
     begin = time.perf_counter()
     try:
-        if key and own.is_own(strategy) and digest.result_key(scenario, strategy) != key:
+        if key and custom_controllers.is_own(strategy) and digest.result_key(scenario, strategy) != key:
             raise ControllerFileError("Its file was saved meanwhile: run it again")
-        return own.isolated(strategy, _compute, scenario, strategy, key, sampling)
+        return custom_controllers.isolated(strategy, _compute, scenario, strategy, key, sampling)
     except RidelabError as error:
         return Outcome.failure(key, strategy, error, begin, sampling)
 

@@ -7,8 +7,8 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import AfterValidator, Field, model_validator
 
+from backend.custom_controllers import isolated
 from backend.models import Answer, StrategiesRequest, Vector
-from backend.own import isolated
 from sim_core import RidelabError, Scenario
 from sim_core.frequency import responses
 from sim_core.frequency.responses import DEFAULT_FREQUENCIES, RESPONSES, FrequencyResult, frequency_response

@@ -12,12 +12,12 @@ from backend import digest
 from backend.compute.shared_computations import SharedComputations
 from backend.compute.workers import Workers
 from backend.cost.estimate import cost_of, estimate
+from backend.custom_controllers import is_own
 from backend.errors import CostLimitError, DamagedResultError, GoneError, InvalidError, RoadGoneError
 from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile, refused_where_full
 from backend.means_over_roads import seeded
 from backend.outcome import Outcome, Sampling
-from backend.own import is_own
 from backend.recordings.service import Recordings
 from backend.roads.service import MeasuredRoads
 from backend.runs import bands, exports, pins

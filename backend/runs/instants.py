@@ -6,8 +6,8 @@ import numpy as np
 from pydantic import AliasChoices, Field
 
 from backend.cost.estimate import check_affordable
+from backend.custom_controllers import isolated
 from backend.models import Answer, Matrix, Vector
-from backend.own import isolated
 from sim_core.instant import Instant, instant
 from sim_core.scenario import Scenario
 

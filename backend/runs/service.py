@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
-from backend import digest, own
+from backend import custom_controllers, digest
 from backend.cost.estimate import costs_of
 from backend.db.tables import EXPIRED
 from backend.errors import (
@@ -278,7 +278,10 @@ def _changed_controllers(stored: StoredRun, scenario: Scenario, names: Iterable[
         name
         for name in custom
         if name not in there
-        or any(not item.failed_unstored and item.source != own.source(name) for item in stored.by_strategy[name])
+        or any(
+            not item.failed_unstored and item.source != custom_controllers.source(name)
+            for item in stored.by_strategy[name]
+        )
     }
 
 

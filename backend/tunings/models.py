@@ -14,7 +14,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from backend import own
+from backend import custom_controllers
 from backend.jobs.models import Label
 from backend.json_types import JsonObject
 from backend.models import MetricName, RequestModel, SentScenario, inconsistent
@@ -212,7 +212,7 @@ class TuningRequest(RequestModel):
         added = {name for name in ADDED if getattr(self, name) == type(self).model_fields[name].default}
         plain = self.model_dump(mode="json", exclude={"trials", "dry_run", "label", *added})
         options = {name: dotted.value(plain["scenario"], name) for name in self.ranges if dotted.is_option(name)}
-        source = own.source(self.strategy)
+        source = custom_controllers.source(self.strategy)
         return {
             **plain,
             "scenario": dotted.with_changes(plain["scenario"], options),  # with the defaults that its law has today

@@ -15,15 +15,15 @@ from typing import Any, Literal
 
 import orjson
 
-from backend import own
+from backend import custom_controllers
 from backend.batches.kind import SWEEP
 from backend.batches.points import Sweep
 from backend.batches.service import BatchService
+from backend.custom_controllers.watch import Watch
 from backend.errors import ServiceError, TemporaryError
 from backend.job_run import JobRow
 from backend.jobs.kind import JobFailedError, JobKind
 from backend.json_types import JsonObject, Summary
-from backend.own.watch import Watch
 from backend.store import Store, StoredJob
 from backend.store.jobs import ParentEndedError
 from backend.store.trials import StoredTrial
@@ -97,7 +97,7 @@ class TuningSteps:
         """A controller of one's own is the one that the tuning began with, or it fails: two laws are not mixed."""
         if (source := request.get("source")) is not None:
             await self._own_files.current()
-            if own.source(request["strategy"]) != source:
+            if custom_controllers.source(request["strategy"]) != source:
                 raise JobFailedError(f"{source['file']} has changed or gone since it began: begin another tuning")
 
     async def _begin_anew(self, job: StoredJob) -> None:

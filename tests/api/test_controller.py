@@ -13,8 +13,8 @@ import httpx
 import psutil
 import pytest
 
-from backend.controller.models import ControllerReport, RealtimeReport
-from backend.controller.realtime import drive_by_clock
+from backend.ecu.models import ControllerReport, RealtimeReport
+from backend.ecu.realtime import drive_by_clock
 from ridelab import Ridelab
 from sim_core.scenario import Scenario
 from tests.api.conftest import Service

@@ -11,8 +11,8 @@ import pytest
 from pyarrow.parquet import read_schema
 from pythonfmu.builder import FmuBuilder
 
+from backend.custom_controllers import registry, watch
 from backend.fmu.archive import fmu
-from backend.own import registry, watch
 from sim_core import Scenario, load_controllers, simulate
 from tests.api.conftest import Service
 from tests.api.own_laws import LAW, SCENARIO, driven, own, told_of

@@ -11,7 +11,7 @@ from typing import Any
 import httpx
 import pytest
 
-from backend.controller.build import NO_COMPILER, NO_CROSS_COMPILER
+from backend.ecu.build import NO_COMPILER, NO_CROSS_COMPILER
 from backend.paper import models
 from backend.store import Store
 from tests.client.cli import Cli

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from backend.controller.build import compiled, compiler_cache, zig
+from backend.ecu.build import compiled, compiler_cache, zig
 from backend.fmu import archive, binaries
 from sim_core import FloatArray, Scenario, Seen, simulate
 from sim_core.strategies.lqr import Lqr

@@ -5,7 +5,7 @@ import struct
 import subprocess
 from pathlib import Path
 
-from backend.controller import build
+from backend.ecu import build
 
 # Loaded before the C library, of which Python and PostgreSQL ask the time.
 SOURCE = """

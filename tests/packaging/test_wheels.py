@@ -153,7 +153,7 @@ def test_what_needs_more_says_what_to_install(client: Environment, words: str, s
 
 
 def test_the_server_without_a_checkout_names_no_target_of_make(server: Environment) -> None:
-    said = server.run("python", "-c", "from backend.controller import build; print(build.NO_COMPILER)").stdout
+    said = server.run("python", "-c", "from backend.ecu import build; print(build.NO_COMPILER)").stdout
     assert (
         said
         == "There is no C compiler to build the ECU's program: install one (gcc, clang) or run “pip install ziglang”\n"

@@ -3,7 +3,7 @@
 import os
 from pathlib import Path
 
-from backend.controller import build
+from backend.ecu import build
 
 # As where the package is not installed: in every Python process with this environment.
 WITHOUT_ZIG = 'import sys\n\nsys.modules["ziglang"] = None\n'

@@ -15,7 +15,6 @@ import pytest
 from backend.compute.chunk_messages import Chunk
 from backend.compute.compute_chunk import compute_chunk
 from backend.compute.fair_queue import SHORT
-from backend.controller import program, realtime, report
 from backend.cost import affordable
 from backend.cost import estimate as cost
 from backend.cost.binding_limits import LimitShares, expected_limits
@@ -30,6 +29,7 @@ from backend.cost.estimate import (
     references,
     work,
 )
+from backend.ecu import program, realtime, report
 from backend.job_run import JobRun
 from backend.runs import bands, compute_run, exports, pins
 from sim_core import STRATEGIES, PredictiveController, simulate

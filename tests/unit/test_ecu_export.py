@@ -16,10 +16,10 @@ import numpy as np
 import pytest
 
 from backend.__main__ import main
-from backend.controller import build, effort, export, firmware, tables
-from backend.controller.link import connected
-from backend.controller.realtime import PacedEcu, Timing, spread
-from backend.controller.report import ControllerVariant
+from backend.ecu import build, effort, export, firmware, tables
+from backend.ecu.link import connected
+from backend.ecu.realtime import PacedEcu, Timing, spread
+from backend.ecu.report import ControllerVariant
 from benchmarks.cortex_m3 import CortexM3
 from sim_core import Bump, Hil, Mpc, Road, Scenario, Speed, simulate
 from sim_core.ecu.calibration import Calibration

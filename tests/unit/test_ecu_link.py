@@ -12,10 +12,10 @@ import numpy as np
 import psutil
 import pytest
 
-from backend.controller import build, link
-from backend.controller.build import EcuError
-from backend.controller.link import connected
-from backend.controller.tables import fingerprint
+from backend.ecu import build, link
+from backend.ecu.build import EcuError
+from backend.ecu.link import connected
+from backend.ecu.tables import fingerprint
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.interface import Frame
 from sim_core.scenario import Mpc, Scenario
@@ -115,7 +115,7 @@ def test_a_stranger_is_turned_away_while_the_program_is_awaited(tmp_path: Path, 
 def test_the_program_ends_with_a_plant_that_was_killed() -> None:
     code = (
         "import os, subprocess, sys\n"
-        "from backend.controller.link import connected\n"
+        "from backend.ecu.link import connected\n"
         "from sim_core.scenario import Mpc, Scenario\n"
         "from sim_core.strategies.calibration import ecu_calibration\n"
         "import psutil\n"

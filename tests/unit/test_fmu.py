@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from fmpy.validation import validate_fmu
 
-from backend.controller.build import compiled, compilers
+from backend.ecu.build import compiled, compilers
 from backend.fmu.archive import fmu
 from backend.fmu.description import Version
 from sim_core import STRATEGIES, Controller, FloatArray, RidelabError, Scenario, Seen, Setup, simulate

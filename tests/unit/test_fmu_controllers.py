@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from pythonfmu.builder import FmuBuilder
 
+from backend.custom_controllers.description import described, stand_in
 from backend.fmu.archive import fmu
 from backend.fmu.description import Version
-from backend.own.description import described, stand_in
 from sim_core import Controller, RidelabError, Scenario, StrategyResult, check_controller, load_controllers, simulate
 from sim_core.control.declared import Option
 from sim_core.fmi import archive

@@ -6,7 +6,7 @@ import pytest
 
 from backend.cost.binding_limits import LimitShares
 from backend.cost.estimate import work
-from backend.own.description import described, stand_in
+from backend.custom_controllers.description import described, stand_in
 from sim_core import Controller, check_controller, load_controllers, simulate
 from sim_core.scenario import Bump, Estimation, Lqr, Mpc, Road, Scenario, dotted
 from sim_core.scenario.dotted import is_within

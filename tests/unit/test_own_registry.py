@@ -7,9 +7,9 @@ from typing import Any, NoReturn
 
 import pytest
 
-from backend.own import host as host_module
-from backend.own import registry
-from backend.own.host import Host, SlowFileError
+from backend.custom_controllers import host as host_module
+from backend.custom_controllers import registry
+from backend.custom_controllers.host import Host, SlowFileError
 from sim_core import controller_files
 from sim_core.controller_files import ControllerFileError
 from tests.servers.process import ROOT

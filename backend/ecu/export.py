@@ -5,7 +5,7 @@ import json
 import zipfile
 from pathlib import Path
 
-from backend.controller import tables
+from backend.ecu import tables
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.sources import SOURCES
 from sim_core.scenario import Scenario

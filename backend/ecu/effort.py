@@ -5,7 +5,7 @@ the compiled controller in an emulator that counts cycles as the processor's man
 test holds the factor to it.
 """
 
-from backend.controller.models import ControllerPart
+from backend.ecu.models import ControllerPart
 
 STM32F103 = ControllerPart(
     name="STM32F103xE: Cortex-M3, 72 MHz, no floating-point hardware",

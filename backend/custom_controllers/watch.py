@@ -3,7 +3,7 @@
 import asyncio
 from collections.abc import Callable
 
-from backend.own.registry import adopt, close, controller_sources, refresh, retry_due, stale, try_again
+from backend.custom_controllers.registry import adopt, close, controller_sources, refresh, retry_due, stale, try_again
 
 WAIT = 10.0  # a request waits so long for files that have changed; one that never ends holds nobody up for longer [s]
 

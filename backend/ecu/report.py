@@ -4,14 +4,14 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-from backend.controller import effort, firmware
-from backend.controller.build import EcuError
-from backend.controller.effort import STM32F103
-from backend.controller.link import connected
-from backend.controller.models import ControllerPart, ControllerReport, ControllerRow, Operations, StepTime
-from backend.controller.realtime import changes
 from backend.cost import affordable
 from backend.cost.estimate import check_affordable
+from backend.ecu import effort, firmware
+from backend.ecu.build import EcuError
+from backend.ecu.effort import STM32F103
+from backend.ecu.link import connected
+from backend.ecu.models import ControllerPart, ControllerReport, ControllerRow, Operations, StepTime
+from backend.ecu.realtime import changes
 from backend.errors import EcuUnavailableError
 from sim_core import Scenario, StrategyResult, simulate
 from sim_core.ecu.calibration import Calibration, Checked

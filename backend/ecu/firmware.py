@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from backend.controller import export
-from backend.controller.build import EcuError, compiled, compiler_cache, firmware_fault, zig
+from backend.ecu import export
+from backend.ecu.build import EcuError, compiled, compiler_cache, firmware_fault, zig
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.sources import CONTROLLER
 

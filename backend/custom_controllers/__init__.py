@@ -5,7 +5,7 @@ controllers and drives them. Everywhere else a stand-in with the same fields tak
 (`description`), so that what is asked of a strategy is asked of it alike. What drives a strategy calls `isolated`.
 """
 
-from backend.own.registry import (
+from backend.custom_controllers.registry import (
     adopt,
     controller_sources,
     descriptions,

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from backend.controller.link import connected
-from backend.controller.realtime import changes
 from backend.cost import affordable
+from backend.ecu.link import connected
+from backend.ecu.realtime import changes
 from sim_core import Scenario, simulate
 from sim_core.strategies.lv_hil import LvHil
 

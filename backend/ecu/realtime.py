@@ -11,10 +11,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from backend.controller.build import EcuError
-from backend.controller.link import ProcessEcu, connected
-from backend.controller.models import ChangesByWindow, RealtimeReport, Times
 from backend.cost import affordable
+from backend.ecu.build import EcuError
+from backend.ecu.link import ProcessEcu, connected
+from backend.ecu.models import ChangesByWindow, RealtimeReport, Times
 from backend.errors import EcuUnavailableError
 from sim_core import Scenario, StrategyResult, simulate
 from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS

@@ -7,10 +7,10 @@ from typing import TypeVar
 from cachetools import LRUCache
 
 from backend.compute.workers import Workers
-from backend.controller import export, realtime, report
-from backend.controller.build import firmware_fault, program_fault
-from backend.controller.models import Compilers, ControllerReport, RealtimeReport
 from backend.cost.estimate import duration, estimate
+from backend.ecu import export, realtime, report
+from backend.ecu.build import firmware_fault, program_fault
+from backend.ecu.models import Compilers, ControllerReport, RealtimeReport
 from backend.errors import CostLimitError
 from backend.gate import Gate
 from backend.roads.service import MeasuredRoads

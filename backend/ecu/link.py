@@ -16,8 +16,8 @@ from pathlib import Path
 
 import numpy as np
 
-from backend.controller import build, tables
-from backend.controller.build import EcuError
+from backend.ecu import build, tables
+from backend.ecu.build import EcuError
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import PREVIEW
 from sim_core.ecu.interface import Ecu, Frame, Reply

@@ -12,8 +12,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
-from backend.own.description import Description, described, stand_in
-from backend.own.host import Host
+from backend.custom_controllers.description import Description, described, stand_in
+from backend.custom_controllers.host import Host
 from sim_core import STRATEGIES, Controller, RidelabError, controller_files
 from sim_core.controller_files import INSTALLED, ControllerFileError, Signature
 from sim_core.errors import RefusedError
