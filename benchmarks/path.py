@@ -1,0 +1,241 @@
+"""How much of the service's own code a request goes through: files and functions of backend/, entered in its process.
+
+The service runs in a process of its own under `sys.setprofile`, in all its threads; its worker processes are not
+counted. Each flow is asked for several times, and what counts is what every time enters, from the request until the
+service is at rest again: so what the service does by itself now and then is left out. Functions are told apart by the
+place of their definition; lambdas and comprehensions are counted by themselves, module bodies are not counted.
+`python -m benchmarks.path FOLDER FILE`, with an empty folder, writes each flow's functions into the file.
+"""
+
+import contextlib
+import dis
+import http.client
+import json
+import os
+import signal
+import statistics
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from itertools import pairwise
+from pathlib import Path
+from types import CodeType, FrameType
+from typing import Any
+
+from benchmarks.timing import table
+
+ROOT = Path(__file__).parents[1]
+BACKEND = f"{ROOT / 'backend'}{os.sep}"
+STRATEGIES = ["lv", "lqr", "passive"]
+REPEATS = 5
+REST = 0.15  # after an answer the service comes to rest within this time [s]
+POLL_INTERVAL = 0.05  # of a batch [s]
+ANONYMOUS = ("<lambda>", "<listcomp>", "<dictcomp>", "<setcomp>", "<genexpr>")
+IDLE = {"RIDELAB_LOG_LEVEL": "warning"}
+HEAD = ["", "files", "functions", "lambdas, comprehensions", "calls", "changes of file"]
+BASELINE = {  # of 899e0802, by this same program
+    "POST /runs, new": (42, 162, 82, 851, 204),
+    "POST /runs, stored": (30, 88, 31, 367, 87),
+    "POST /live": (35, 124, 56, 531, 159),
+    "a batch of 6, with polls": (51, 182, 68, 1940, 785),
+    "POST /links": (38, 145, 52, 469, 150),
+}
+
+
+@dataclass(slots=True)
+class Entered:
+    """What of backend/ was entered in all threads, in order.
+
+    Attributes:
+        open: Whether entries are counted at the moment.
+        codes: The code of each entry.
+    """
+
+    open: bool = False
+    codes: list[CodeType] = field(default_factory=list)
+
+    def __call__(self, frame: FrameType, event: str, _: object) -> None:
+        """Count an entry, as `sys.setprofile` calls it; a coroutine that goes on is none."""
+        code = frame.f_code
+        if not (self.open and event == "call" and code.co_filename.startswith(BACKEND)):
+            return
+        if code.co_name != "<module>" and frame.f_lasti <= _first_instruction(code):
+            self.codes.append(code)
+
+    @contextlib.contextmanager
+    def counting(self) -> Iterator[list[CodeType]]:
+        """Count in the block and until the service is at rest."""
+        codes = self.codes = []
+        self.open = True
+        try:
+            yield codes
+            time.sleep(REST)
+        finally:
+            self.open = False
+
+
+_FIRST: dict[CodeType, int] = {}
+
+
+def _first_instruction(code: CodeType) -> int:
+    """Return where a call begins: the first RESUME, which a generator has behind the instructions that make it."""
+    if code not in _FIRST:
+        _FIRST[code] = next((each.offset for each in dis.get_instructions(code) if each.opname == "RESUME"), 0)
+    return _FIRST[code]
+
+
+class Asking:
+    """Requests to the service over one connection."""
+
+    def __init__(self, address: str) -> None:
+        self._connection = http.client.HTTPConnection(address.partition("://")[2], timeout=60)
+
+    def __call__(self, method: str, path: str, body: object = None) -> Any:
+        """Return the JSON of an answer.
+
+        Raises:
+            RuntimeError: It is a problem.
+        """
+        content = None if body is None else json.dumps(body).encode()
+        headers = {"Content-Type": "application/json"} if content else {}
+        self._connection.request(method, f"/api/v1{path}", content, headers)
+        answer = self._connection.getresponse()
+        text = answer.read()
+        if answer.status >= 400:
+            raise RuntimeError(text.decode())
+        return json.loads(text)
+
+
+Flow = Callable[[Asking, int], Callable[[], object]]  # prepares, and returns what is counted
+
+
+def _run(seed: int) -> dict[str, Any]:
+    return {"scenario": {"road": {"seed": 7000 + seed}}, "strategies": STRATEGIES}
+
+
+def _new(ask: Asking, number: int) -> Callable[[], object]:
+    return lambda: ask("POST", "/runs", _run(number))
+
+
+def _stored(ask: Asking, number: int) -> Callable[[], object]:
+    ask("POST", "/runs", _run(100 + number))
+    return lambda: ask("POST", "/runs", _run(100 + number))
+
+
+def _live(ask: Asking, number: int) -> Callable[[], object]:
+    return lambda: ask("POST", "/live", _run(200 + number))
+
+
+def _batch(ask: Asking, number: int) -> Callable[[], object]:
+    sweep = {"list": [{"road.seed": 8000 + 10 * number + road} for road in range(6)]}
+
+    def submit_and_poll() -> None:
+        job = ask("POST", "/batches", {"strategies": ["lv"], "sweep": sweep})
+        while job["state"] not in ("done", "failed"):
+            time.sleep(POLL_INTERVAL)
+            job = ask("GET", f"/batches/{job['id']}")
+        if job["failed"] or job["state"] == "failed":
+            raise RuntimeError(f"The batch failed: {job}")
+
+    return submit_and_poll
+
+
+def _link(ask: Asking, number: int) -> Callable[[], object]:
+    run = ask("POST", "/runs", _run(300 + number))["id"]
+    return lambda: ask("POST", "/links", {"run_id": run, "view": {}})
+
+
+FLOWS: dict[str, Flow] = {
+    "POST /runs, new": _new,
+    "POST /runs, stored": _stored,
+    "POST /live": _live,
+    "a batch of 6, with polls": _batch,
+    "POST /links": _link,
+}
+
+
+def run() -> None:
+    """Print the counts of 899e0802, then those of now with files and functions as shares of it."""
+    rows = []
+    for name, counts in measure().items():
+        shares = [f"{100 * new / old:.0f} %" for new, old in zip(counts[:2], BASELINE[name][:2], strict=True)]
+        rows.append([name, *counts, *shares])
+    table(
+        "What a request entered of backend/ in 899e0802", HEAD, [[name, *counts] for name, counts in BASELINE.items()]
+    )
+    table("What it enters now", [*HEAD, "of those files", "of those functions"], rows)
+
+
+def measure() -> dict[str, tuple[int, ...]]:
+    """Return by flow the files, functions, lambdas and comprehensions, calls and changes of file."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = [sys.executable, "-m", "benchmarks.path", folder]
+        done = subprocess.run(  # noqa: S603 - our own module, no shell
+            command, stdout=subprocess.PIPE, text=True, check=False, cwd=ROOT, env={**os.environ, **IDLE}
+        )  # it ends by SIGTERM
+    return {name: tuple(counts) for name, counts in json.loads(done.stdout.splitlines()[-1]).items()}
+
+
+def _serve(folder: str, listing: Path | None) -> None:
+    """Serve in this process, and ask it from another thread, which prints the counts and ends it."""
+    from backend import __main__ as command
+
+    entered = Entered()
+    reading, writing = os.pipe()
+    output = os.dup(1)
+    os.dup2(writing, 1)
+
+    def ask_and_end() -> None:
+        try:
+            with os.fdopen(reading) as said:
+                counts = _counted(Asking(said.readline().split()[-1]), entered, listing)
+            os.write(output, f"{json.dumps(counts)}\n".encode())
+        finally:
+            os.kill(os.getpid(), signal.SIGTERM)
+
+    threading.Thread(target=ask_and_end).start()
+    threading.setprofile(entered)
+    sys.setprofile(entered)
+    command.main(["--port", "0", "--data-dir", folder])
+
+
+def _counted(ask: Asking, entered: Entered, listing: Path | None) -> dict[str, tuple[int, ...]]:
+    counts: dict[str, tuple[int, ...]] = {}
+    lines: list[str] = []
+    for name, prepare in FLOWS.items():
+        prepare(ask, 0)()  # fills what is filled once
+        times = []
+        for number in range(1, REPEATS + 1):
+            flow = prepare(ask, number)
+            time.sleep(REST)
+            with entered.counting() as codes:
+                flow()
+            times.append(codes)
+        always = set.intersection(*map(set, times))
+        kept = [[code for code in codes if code in always] for codes in times]
+        named = {code for code in always if code.co_name not in ANONYMOUS}
+        counts[name] = (
+            len({code.co_filename for code in always}),
+            len(named),
+            len(always) - len(named),
+            int(statistics.median(map(len, kept))),
+            int(statistics.median(map(_file_changes, kept))),
+        )
+        lines += [f"{name}\t{code.co_filename.removeprefix(BACKEND)}\t{code.co_qualname}" for code in always]
+    if listing is not None:
+        listing.write_text("\n".join(sorted(lines)))
+    return counts
+
+
+def _file_changes(codes: list[CodeType]) -> int:
+    """Return how often an entry is in another file than the one before."""
+    files = [code.co_filename for code in codes]
+    return sum(one != other for one, other in pairwise(files))
+
+
+if __name__ == "__main__":
+    _serve(sys.argv[1], Path(sys.argv[2]) if len(sys.argv) > 2 else None)
