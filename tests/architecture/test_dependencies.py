@@ -3,7 +3,6 @@
 Known vulnerabilities need the internet (docs/explanation/security.md says how to ask); this needs nothing.
 """
 
-import base64
 import json
 import re
 import tomllib
@@ -40,7 +39,6 @@ LOCKS = {
         *GROUPS["manual"],
     ],
 }
-PACKAGES = json.loads((ROOT / "frontend" / "package-lock.json").read_text())["packages"]
 
 
 def locked(name: str) -> dict[str, list[str]]:
@@ -81,26 +79,15 @@ def test_all_locks_agree() -> None:
 def test_each_locked_package_has_a_hash_and_no_address(name: str) -> None:
     text = (ROOT / name).read_text()
     assert "://" not in text
-    assert "--index-url" not in text
     for entry in re.split(r"\n(?=[A-Za-z0-9])", text.rstrip()):
-        assert "==" in entry.splitlines()[0], entry
-        hashes = re.findall(r"--hash=(\S+)", entry)
-        assert hashes, entry
-        assert all(re.fullmatch(r"sha256:[0-9a-f]{64}", digest) for digest in hashes), entry
+        assert re.search(r"==.*\n", entry), entry
+        assert re.search(r"--hash=sha256:[0-9a-f]{64}\b", entry), entry
 
 
-def test_frontend_packages_are_locked_by_hash_and_come_from_no_address_of_their_own() -> None:
-    packages = {path: entry for path, entry in PACKAGES.items() if path}
+def test_the_pages_packages_are_locked_by_hash_and_have_no_address() -> None:
+    """`npm ci`, which installs them, holds the lock to package.json."""
+    packages = json.loads((ROOT / "frontend" / "package-lock.json").read_text())["packages"]
+    del packages[""]
     assert len(packages) > 50
-    for path, entry in packages.items():
-        algorithm, _, digest = entry["integrity"].partition("-")
-        assert (algorithm, len(base64.b64decode(digest))) == ("sha512", 64), path
-        assert "resolved" not in entry, path
-        assert not entry.get("link"), path
-
-
-def test_the_frontend_lock_is_of_its_package() -> None:
-    package = json.loads((ROOT / "frontend" / "package.json").read_text())
-    for kind in ("dependencies", "devDependencies"):
-        assert PACKAGES[""][kind] == package[kind]
-        assert {f"node_modules/{name}" for name in package[kind]} <= set(PACKAGES)
+    assert [path for path, entry in packages.items() if not entry["integrity"].startswith("sha512-")] == []
+    assert [path for path, entry in packages.items() if {"resolved", "link"} & entry.keys()] == []
