@@ -47,6 +47,8 @@ RUN /opt/ridelab/bin/python -m compileall -q sim_core backend ridelab \
 RUN mkdir ecu && RIDELAB_ECU_DIR=/app/ecu /opt/ridelab/bin/python -c "from backend.ecu import build; build.program()" \
     && rm -rf ecu/zig
 ENV PATH=/opt/ridelab/bin:$PATH PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 RIDELAB_DATA_DIR=/data RIDELAB_ECU_DIR=/app/ecu
+# As for a service on loopback, which `docker run -p 127.0.0.1:8000:8000` makes of this one; docker-compose.yml has its own.
+ENV RIDELAB_ALLOWED_HOSTS=localhost,*.localhost,127.0.0.1,::1
 USER 10001:10001
 VOLUME /data
 EXPOSE 8000

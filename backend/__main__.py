@@ -7,6 +7,7 @@ import argparse
 import errno
 import gc
 import json
+import logging
 import math
 import os
 import signal
@@ -60,7 +61,7 @@ def main(arguments: list[str] | None = None) -> int:
             threading.Thread(target=_end_with_the_input, daemon=True).start()
         ending = _Ending()
         signal.signal(signal.SIGTERM, ending)
-        settings = _settings(options)
+        settings = _serving(_settings(options), options.host)
         settings.data_dir.mkdir(parents=True, exist_ok=True)
         listener = listen(options.host, options.port, or_free=options.or_free_port)
         app = _application(settings)
@@ -71,8 +72,11 @@ def main(arguments: list[str] | None = None) -> int:
         return INTERRUPTED
 
     from backend import logs
+    from backend.settings import removed_in
 
     logs.configure(settings.log_format, settings.log_level)
+    if removed := removed_in(os.environ):
+        logging.getLogger("backend").warning(removed)
     return _serve(app, settings, listener, options, ending)
 
 
@@ -106,6 +110,16 @@ def _settings(options: argparse.Namespace) -> "Settings":
     from backend.settings import Settings
 
     return Settings.from_environment(os.environ, data_dir=options.data_dir)
+
+
+def _serving(settings: "Settings", host: str) -> "Settings":
+    """Return the settings of a service that listens there: on loopback it answers to this machine's own names.
+
+    Else a page elsewhere could have a name of its own point to this machine, and use the service by it.
+    """
+    if settings.hosts or host not in ("localhost", "127.0.0.1", "::1"):
+        return settings
+    return settings.model_copy(update={"allowed_hosts": "localhost,*.localhost,127.0.0.1,::1"})
 
 
 def _end_with_the_input() -> None:
@@ -256,7 +270,9 @@ def _serve(
 
     import uvicorn
 
-    from backend.http.server import server_config
+    from backend.http.server import raise_file_limit, server_config
+
+    raise_file_limit()
 
     class RidelabServer(uvicorn.Server):
         """Says where it listens, and ends in time whatever hangs."""

@@ -28,6 +28,7 @@ from backend.compute import processes
 from backend.compute.workers import Workers
 from backend.file_formats import BINARY
 from backend.http import openapi, problems
+from backend.http.body_rate import BodyRateMiddleware
 from backend.http.guard import GuardMiddleware
 from backend.http.request_log import RequestLogMiddleware
 from backend.http.tokens import TokenMiddleware
@@ -95,6 +96,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
         redirect_slashes=False,  # the address it would send people to comes from the request
         middleware=[
             Middleware(RequestLogMiddleware),
+            Middleware(BodyRateMiddleware),
             Middleware(GuardMiddleware, settings.hosts),
             *by_token,
             Middleware(

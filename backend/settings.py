@@ -25,6 +25,13 @@ from backend.setting_types import Hosts, NewFolder, Proxies, SchedulerAddress, T
 PREFIX = "RIDELAB_"
 CLIENT_VARIABLES = {"RIDELAB_SERVER", "RIDELAB_TOKEN"}  # of the command line; a service starts all the same
 MEBIBYTE = 1024 * 1024
+# What earlier releases had: such a variable is named in the log and has no effect; docs/how-to/operations.md shows it.
+REMOVED = {
+    "RIDELAB_MAX_CONNECTIONS": "the system's limit of open files counts, and the proxy's own limits",
+    "RIDELAB_MAX_CLIENT_CONNECTIONS": "PROXY_CLIENT_CONNECTIONS of the proxy",
+    "RIDELAB_BODY_TIMEOUT": "a body has to come at 50 kB/s after its first 10 s",
+    "RIDELAB_HEAD_TIMEOUT": "PROXY_REQUEST_TIMEOUT of the proxy",
+}
 _PACKAGE = Path(__file__).parent
 # In the installed distribution or in a checkout.
 BUILT_PAGE, BUILT_MANUAL = (
@@ -89,20 +96,14 @@ class Settings(BaseModel):
     dask_tls_key_file: Path | None = Field(None, description="Its key (PEM).")
     max_streams: int = Field(256, ge=1, description="Event streams open at once; beyond it 503.")
     max_client_streams: int = Field(16, ge=1, description="Event streams one client may have open; then 429.")
-    max_connections: int = Field(800, ge=8, description="Connections open at once; beyond it 503.")
-    max_client_connections: int = Field(
-        200,
-        ge=1,
-        description="Connections one client may have open; beyond it its oldest idle one is closed, else 429.",
-    )
     max_body_bytes: int = Field(MEBIBYTE, ge=1024, description="Longest request body.")
-    body_timeout: float = Field(20, gt=0, le=600, description="A request body may take this long to come [s].")
-    head_timeout: float = Field(10, gt=0, le=600, description="A request's head may take this long to come [s].")
     forwarded_allow_ips: Proxies = Field(
         "", description="Proxies whose X-Forwarded-For names the client: addresses, networks, or *."
     )
     allowed_hosts: Hosts = Field(
-        "", description="Names the service answers to, with commas; *.example.com is all below it; none is any."
+        "",
+        description="Names the service answers to, with commas; *.example.com is all below it, * any; none is any, and "
+        "this machine's own names where it listens on loopback.",
     )
     tokens_file: TokensFile | None = Field(
         None, description="File with a name and a token a line: then the API answers those with a token only."
@@ -138,7 +139,7 @@ class Settings(BaseModel):
         values: dict[str, object] = {
             name.removeprefix(PREFIX).lower(): value
             for name, value in environment.items()
-            if name.startswith(PREFIX) and name not in CLIENT_VARIABLES
+            if name.startswith(PREFIX) and name not in CLIENT_VARIABLES and name not in REMOVED
         }
         values |= {name: value for name, value in overrides.items() if value is not None}
         try:
@@ -234,6 +235,12 @@ class Settings(BaseModel):
 
         password = self.database_password_file.read_text(encoding="utf-8").rstrip("\r\n")
         return make_url(self.database_url).set(password=password).render_as_string(hide_password=False)
+
+
+def removed_in(environment: Mapping[str, str]) -> str | None:
+    """Return the one line that names the removed settings in an environment; None where it has none."""
+    there = [f"{name} ({instead})" for name, instead in REMOVED.items() if name in environment]
+    return f"Without effect since 0.5.0, and an error in the next release: {'; '.join(there)}" if there else None
 
 
 def _variable(field: str) -> str:

@@ -9,7 +9,7 @@ from starlette.requests import ClientDisconnect
 from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from backend.http.problems import RETRY_SOON, problem
+from backend.http.problems import problem
 
 logger = logging.getLogger(__name__)
 
@@ -49,9 +49,7 @@ LONGEST_ADDRESS = 8192  # [bytes]
 LONGEST_HEADERS = 16384  # [bytes]; a head that comes in pieces ends in the server's parser at the same length
 SAFE = frozenset({"GET", "HEAD", "OPTIONS"})  # methods that change nothing
 HEALTH = frozenset({"/healthz", "/readyz", "/metrics"})  # asked inside a deployment, by any host name
-HEALTH_ONLY = (
-    "health_only"  # key in a scope's state: its connection may ask for HEALTH alone, all else gets that status
-)
+LOOPBACK = frozenset({"localhost", "127.0.0.1", "::1"})  # what this machine calls itself
 MATCHED = ("route", "root_path", "app_root_path")  # what routing leaves in a scope
 
 
@@ -60,12 +58,12 @@ class GuardMiddleware:
 
     Args:
         app: ASGI.
-        hosts: Host names the service answers to; `*.example.com` is every subdomain. Empty: any host.
+        hosts: Host names the service answers to; `*.example.com` is every subdomain. Empty, or with `*`: any host.
     """
 
     def __init__(self, app: ASGIApp, hosts: Collection[str] = ()) -> None:
         self.app = app
-        self._hosts = hosts
+        self._hosts = () if "*" in hosts else hosts
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """ASGI entry."""
@@ -91,7 +89,7 @@ class GuardMiddleware:
 
         inner = {**scope, "method": "GET"} if head else scope
         try:
-            await (self._refusal(scope) or self.app)(inner, receive, guarded)
+            await (self._check_head(scope) or self.app)(inner, receive, guarded)
         except ClientDisconnect:
             return  # nobody is left to answer
         except Exception:
@@ -102,8 +100,8 @@ class GuardMiddleware:
         finally:
             scope.update({key: inner[key] for key in MATCHED if key in inner})  # for those outside, HEAD or GET
 
-    def _refusal(self, scope: Scope) -> Response | None:
-        """The problem that answers a head which is refused; None where it is accepted."""
+    def _check_head(self, scope: Scope) -> Response | None:
+        """Return the problem that answers a head which is refused; None where it is accepted."""
         headers: list[tuple[bytes, bytes]] = scope["headers"]
         if len(scope["raw_path"]) + len(scope["query_string"]) > LONGEST_ADDRESS:
             return problem("address-too-long", f"The address may have {LONGEST_ADDRESS} characters.", headers=CLOSE)
@@ -114,8 +112,6 @@ class GuardMiddleware:
             return problem("two-lengths", "The request body has two lengths.", headers=CLOSE)
         if self._is_of_another_site(scope):
             return problem("cross-site")
-        if scope["path"] not in HEALTH and HEALTH_ONLY in scope.get("state", ()):
-            return problem("connections", status=scope["state"][HEALTH_ONLY], headers=CLOSE | RETRY_SOON)
         if (
             self._hosts
             and scope["path"] not in HEALTH
@@ -141,9 +137,13 @@ class GuardMiddleware:
         return site == b"cross-site" or (origin is not None and not self._is_own(origin, headers.get(b"host", b"")))
 
     def _is_own(self, origin: bytes, host: bytes) -> bool:
-        """Whether an origin is the host that was asked, or one that the service answers to."""
+        """Check whether an origin is the host that was asked, or one that the service answers to.
+
+        Of this machine's own names the port has to be the same too: another program may serve a page at another one.
+        """
         netloc = origin.decode("latin-1").lower().partition("://")[2]  # of `null` nothing is left
-        return netloc == host.decode("latin-1").lower() or _matches_any(self._hosts, _hostname(netloc))
+        name = _hostname(netloc)
+        return netloc == host.decode("latin-1").lower() or (name not in LOOPBACK and _matches_any(self._hosts, name))
 
 
 def _hostname(netloc: str) -> str:

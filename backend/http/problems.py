@@ -1,6 +1,5 @@
 """Every error is answered as RFC 9457 `application/problem+json`; no answer repeats what was sent."""
 
-import asyncio
 import logging
 from collections.abc import Mapping, Sequence
 from typing import Annotated, cast
@@ -8,6 +7,7 @@ from typing import Annotated, cast
 from fastapi import FastAPI, Request
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import Response
+from fastapi.routing import iter_route_contexts
 from pydantic import BaseModel, ConfigDict, Field
 from sqlalchemy.exc import SQLAlchemyError
 from starlette.exceptions import HTTPException
@@ -26,8 +26,6 @@ MEDIA_TYPE = "application/problem+json"
 MOST_ERRORS = 50
 PROTECTING = frozenset({408, 413, 429, 503})  # counted by kind
 CHALLENGE = {"WWW-Authenticate": 'Bearer realm="Ridelab"'}
-RETRY_SOON = {"Retry-After": "2"}
-
 
 # How a route declares one. Not by its model: FastAPI would build a validator for each route and status at every start.
 ANSWER = {"content": {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/Problem"}}}}
@@ -153,12 +151,15 @@ async def _http(request: Request, error: Exception) -> Response:
     error = cast(HTTPException, error)
     headers = dict(error.headers or {})
     if error.status_code == 405:
-        # It names the methods of one route, and an address may have several.
-        description = await asyncio.to_thread(request.app.openapi)
-        described = description["paths"].get(getattr(request.scope.get("route"), "path", None), {})
-        allowed = {name.strip() for name in headers.get("allow", headers.get("Allow", "")).split(",") if name}
-        headers = {"Allow": ", ".join(sorted(allowed | {method.upper() for method in described}))}
+        headers = {"Allow": ", ".join(sorted(_methods(request)))}
     return problem(OF_STATUS[error.status_code].name, headers=headers)
+
+
+def _methods(request: Request) -> set[str]:
+    """Return the methods that the asked address answers: each may have a route of its own."""
+    path = getattr(request.scope.get("route"), "path", None)
+    same = (each for each in iter_route_contexts(request.app.routes) if each.path == path)
+    return {method for each in same for method in each.methods or ()}
 
 
 async def _invalid(request: Request, error: Exception) -> Response:

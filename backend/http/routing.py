@@ -64,13 +64,9 @@ async def _read_body(request: Request, held: ExitStack, longest: int) -> bytes:
 
     announced = request.headers.get("content-length", "")
     expect(int(announced[:12]) if announced.isdecimal() else 0)
-    try:
-        async with asyncio.timeout(parts.settings.body_timeout):
-            async for piece in request.stream():
-                pieces += piece
-                expect(len(pieces))
-    except TimeoutError:
-        raise RequestError("slow-body", "The request body did not come in time.") from None
+    async for piece in request.stream():
+        pieces += piece
+        expect(len(pieces))
     return bytes(pieces)
 
 

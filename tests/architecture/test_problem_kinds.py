@@ -1,46 +1,21 @@
-"""The list of problem kinds is what the code raises, what the proxy says, and what docs/reference/api.md shows."""
+"""The list of problem kinds against what the proxy says, and what docs/reference/api.md shows."""
 
-import ast
 import json
 import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from backend.http.kinds import KINDS, OF_STATUS, TYPES
+from backend.http.kinds import KINDS, TYPES
 
 ROOT = Path(__file__).parents[2]
 ROW = re.compile(r"^\| `([a-z-]+)` \| ([\d, ]+) \| ([^|]+) \| ([^|]+) \| ([^|]+) \|$", re.MULTILINE)
 PROXY = re.compile(r"http-error status (\d+) content-type application/problem\+json lf-string '(.*?)'")
 
 
-def raised() -> Iterator[str]:
-    """Each kind that backend/ names: of a class of errors, of one error, or of an answer."""
-    for path in sorted((ROOT / "backend").rglob("*.py")):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            named: list[ast.expr] = []
-            if isinstance(node, ast.Call):
-                name = getattr(node.func, "id", getattr(node.func, "attr", ""))
-                if name.endswith("Error"):
-                    named = [item.value for item in node.keywords if item.arg == "kind"]
-                if name in ("RequestError", "problem") or getattr(node.func, "attr", "") == "_refuse":
-                    named += node.args[:1]
-            elif isinstance(node, ast.ClassDef) and node.name.endswith("Error"):
-                fields = [each for each in node.body if isinstance(each, ast.Assign)]
-                named = [each.value for each in fields if getattr(each.targets[0], "id", "") == "kind"]
-            constants = [each.value for value in named for each in ast.walk(value) if isinstance(each, ast.Constant)]
-            yield from (value for value in constants if isinstance(value, str))
-
-
 def proxied() -> Iterator[tuple[int, dict[str, object]]]:
     """The problems that the proxy answers itself."""
     for status, text in PROXY.findall((ROOT / "backend" / "deploy" / "haproxy.cfg").read_text()):
         yield int(status), json.loads(text)
-
-
-def test_what_is_raised_is_listed_and_what_is_listed_is_raised() -> None:
-    by_framework = {OF_STATUS[status].name for status in (400, 404, 405, 422)}
-    by_proxy = {str(content["type"]).removeprefix(TYPES) for _, content in proxied()}
-    assert {*raised(), *by_framework, *by_proxy} == set(KINDS)
 
 
 def test_the_proxys_problems_are_of_the_list() -> None:

@@ -64,11 +64,6 @@ class Caller:
             opened.append(self._idle.pop())
         self._idle += opened
 
-    @property
-    def open(self) -> int:
-        """How many idle connections it has that the service did not close."""
-        return sum(not reader.at_eof() for reader, _ in self._idle)
-
     async def close(self) -> None:
         """End its connections."""
         for _, writer in self._idle:
@@ -90,7 +85,7 @@ class Caller:
 async def _exchange(
     reader: asyncio.StreamReader, writer: asyncio.StreamWriter, method: str, path: str, body: bytes, kind: str
 ) -> tuple[int, dict[str, str], bytes]:
-    head = f"{method} {path} HTTP/1.1\r\nHost: x\r\nContent-Type: {kind}\r\n"
+    head = f"{method} {path} HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: {kind}\r\n"
     writer.write(f"{head}Content-Length: {len(body)}\r\n\r\n".encode() + body)
     first, *lines = (await reader.readuntil(b"\r\n\r\n")).decode().strip().split("\r\n")
     headers = {name.lower(): value.strip() for name, _, value in (line.partition(":") for line in lines)}

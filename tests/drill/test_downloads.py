@@ -4,14 +4,12 @@ Shipped settings, Linux. Memory is the proportional set size of /proc/PID/smaps_
 its share of those it shares with the others.
 """
 
-import contextlib
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from backend.http.server import GuardedProtocol
 from sim_core.strategies import STRATEGIES
-from tests.servers.downloads import Watch, download, opened, proportional_mb, spooled
+from tests.servers.downloads import Watch, download, proportional_mb, spooled
 from tests.servers.process import Api, ask, wait_until
 
 SERVICE, WORKER = 700, 500  # at most [MB]
@@ -93,20 +91,3 @@ def test_all_long_answers_at_once(api: Api, folder: Path) -> None:
     wait_until(lambda: len(spooled(folder)) <= 1, "every file is gone but the cached band's")
     assert watch.service < SERVICE
     assert watch.workers[0] < WORKER
-
-
-def test_who_stops_reading_is_ended(api: Api, folder: Path) -> None:
-    run = ask(api.url, "POST", "/runs", json={"scenario": LONGEST, "strategies": ["passive"]})["id"]
-    before = len(spooled(folder))
-    begin = time.monotonic()
-    with contextlib.ExitStack() as held:
-        stopped = [
-            held.enter_context(opened(api, f"/runs/{run}/series?format=csv", f"127.0.2.{number}"))
-            for number in range(1, 4)
-        ]
-        for connection in stopped:
-            assert connection.recv(12) == b"HTTP/1.1 200"
-        assert len(spooled(folder)) == before + 3
-        time.sleep(GuardedProtocol.WRITE_TIMEOUT)  # then they are seen to have taken nothing for the first time
-        wait_until(lambda: len(spooled(folder)) == before, "those who read nothing are ended")
-    print(f"\nthree that stop reading are ended after {time.monotonic() - begin:.0f} s")

@@ -16,8 +16,6 @@ async def idle(port: int) -> None:
     greedy = Caller(port, "127.0.0.2")
     try:
         await greedy.hold(800)
-        print(f"\n800 idle connections, of which {greedy.open} are left open: ", end="")
-        assert greedy.open == 200
         await served(port, OTHERS, time.monotonic() + SECONDS)
         assert (await greedy.call("GET", "/healthz"))[0] == 200
     finally:

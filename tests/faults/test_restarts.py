@@ -99,7 +99,7 @@ def end_in_order(api: Api) -> None:
     wait_until(lambda: "ridelab_open_requests 1.0" in request("GET", f"{api.url}/metrics").text, "it is there")
     family, starts = api.children(), api.starts
     with socket.create_connection(("127.0.0.1", api.port)) as connection:
-        connection.sendall(b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Length: 100\r\n\r\n{")
+        connection.sendall(b"POST /api/v1/runs HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 100\r\n\r\n{")
         api.terminate()
     await_start(api, family, starts)
 

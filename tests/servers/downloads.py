@@ -55,7 +55,7 @@ def opened(api: Api, path: str, address: str) -> socket.socket:
     connection.settimeout(HANG_TIMEOUT)
     connection.bind((address, 0))
     connection.connect(("127.0.0.1", api.port))
-    connection.sendall(f"GET /api/v1{path} HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n".encode())
+    connection.sendall(f"GET /api/v1{path} HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n".encode())
     return connection
 
 

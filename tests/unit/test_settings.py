@@ -1,5 +1,6 @@
 """Settings that are refused, with a sentence that names the variable, and those that belong together."""
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -7,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from backend.command_error import CommandError
-from backend.settings import Settings
+from backend.settings import Settings, removed_in
 from tests.servers.process import ROOT
 from tests.servers.programs import find
 
@@ -70,6 +71,15 @@ def test_what_no_setting_can_be_is_one_sentence(name: str, value: str, said: str
         Settings.from_environment({f"RIDELAB_{name}": value})
     assert "secret" not in str(caught.value)
     assert "\n" not in str(caught.value)
+
+
+def test_a_setting_of_an_earlier_release_is_named_and_has_no_effect() -> None:
+    environment = {"RIDELAB_BODY_TIMEOUT": "5", "RIDELAB_HEAD_TIMEOUT": "", "RIDELAB_WORKERS": "2"}
+    assert Settings.from_environment(environment) == Settings(workers=2)
+    said = removed_in(environment)
+    assert said is not None
+    assert re.search(r"RIDELAB_BODY_TIMEOUT \(.*50 kB/s.*RIDELAB_HEAD_TIMEOUT \(", said)
+    assert removed_in({"RIDELAB_WORKERS": "2"}) is None
 
 
 def test_nothing_is_no_value_but_where_it_is_the_default() -> None:
