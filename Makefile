@@ -74,8 +74,7 @@ paper: setup ## the paper's tables against ours, cell by cell, each named set of
 	$(BIN)/ridelab paper --seeds 21-60 | tail -7
 
 screenshots: development ## docs/images again: a picture of every page, and the README's moving one
-	$(BIN)/python -m tests.browser.screenshots
-	$(BIN)/python -m tests.browser.moving_picture
+	PYTHONPATH=. $(BIN)/python frontend/scripts/pictures.py
 
 ecu: development ## the ECU's program: C sources in build/ridelab-controller, the program beside them, what it takes on an STM32F103
 	mkdir -p build

@@ -1,16 +1,18 @@
 """Pictures of every page for README and docs: `make screenshots` writes docs/images again, one file a page.
 
-Beside them lies words.json, the words in each picture: `make drill` compares them with the page of today.
+And the moving picture of the README, docs/images/ridelab.webp: the bump gets higher, then the cars drive over it. The
+browser encodes each frame; a WebP file that moves is those frames in a row (RFC 9649, section 2.7), so nothing else is
+needed.
 """
 
-import json
-import re
+import base64
+import struct
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from playwright.sync_api import sync_playwright
+from playwright.sync_api import Page, sync_playwright
 
 from tests.browser.chromium import launch
 from tests.browser.dashboard import TOUR_SEEN, Dashboard, Scheme, expect
@@ -18,22 +20,19 @@ from tests.browser.server import Server
 from tests.servers.process import ROOT, request
 
 FOLDER = ROOT / "docs/images"
-WORDS = FOLDER / "words.json"
+MOVING = FOLDER / "ridelab.webp"
 LAPTOP, PHONE = (1440, 900), (390, 844)
 PAPER_MS = 20 * 60 * 1000  # the paper's table on all its roads
-TIMES = re.compile(r"\d+ \w+ \d{4}, \d+:\d+|took [^·]*|from store|computed in")  # other words at another time
-VISIBLE_TEXTS = """() => {
-  const texts = [];
-  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-  while (walker.nextNode()) {
-    const range = document.createRange();
-    range.selectNodeContents(walker.currentNode);
-    const box = range.getBoundingClientRect();
-    const inside = box.width > 1 && box.bottom > 0 && box.top < innerHeight && box.right > 0 && box.left < innerWidth;
-    const element = walker.currentNode.parentElement;
-    if (inside && element.checkVisibility({visibilityProperty: true})) texts.push(range.toString());
-  }
-  return texts;
+SHOWN_MS, LAST_MS = 160, 1600  # each frame of the moving picture, and the last one
+WIDTH, HEIGHT = 960, 600  # of it
+ENCODE = """async ([png, width, height]) => {
+  const image = await createImageBitmap(await (await fetch('data:image/png;base64,' + png)).blob());
+  const canvas = new OffscreenCanvas(width, height);
+  const context = canvas.getContext('2d');
+  context.imageSmoothingQuality = 'high';
+  context.drawImage(image, 0, 0, width, height);
+  const bytes = new Uint8Array(await (await canvas.convertToBlob({type: 'image/webp', quality: 0.6})).arrayBuffer());
+  return btoa(bytes.reduce((text, byte) => text + String.fromCharCode(byte), ''));
 }"""
 
 
@@ -83,12 +82,6 @@ def _end(server: Server, job: str) -> None:
     assert server.get(job)["state"] == "done"
 
 
-def words(dashboard: Dashboard) -> list[str]:
-    """The words in the visible part of the page, each once, in order of the alphabet; numbers and times are none."""
-    texts = dashboard.page.evaluate(VISIBLE_TEXTS)
-    return sorted({word for text in texts for word in re.findall(r"[^\W\d_]{3,20}", TIMES.sub("", text))})
-
-
 def _plots(dashboard: Dashboard) -> None:
     expect(dashboard.page.locator("svg.main-svg").first).to_be_visible()
     _settled(dashboard)
@@ -126,9 +119,45 @@ PICTURES = (
 )
 
 
+def moving(frames: list[bytes]) -> bytes:
+    """One WebP that shows these, single ones without transparency, one after the other, for ever."""
+    size = struct.pack("<I", WIDTH - 1)[:3] + struct.pack("<I", HEIGHT - 1)[:3]
+    chunks = _chunk(b"VP8X", b"\x02\0\0\0" + size) + _chunk(b"ANIM", b"\xff\xff\xff\xff\0\0")
+    for number, frame in enumerate(frames, 1):
+        duration = struct.pack("<I", LAST_MS if number == len(frames) else SHOWN_MS)[:3]
+        picture = frame[frame.index(b"VP8 ") :]
+        chunks += _chunk(b"ANMF", bytes(6) + size + duration + b"\x02" + picture)
+    return _chunk(b"RIFF", b"WEBP" + chunks)
+
+
+def _chunk(name: bytes, content: bytes) -> bytes:
+    return name + struct.pack("<I", len(content)) + content + b"\0" * (len(content) % 2)
+
+
+def taken(dashboard: Dashboard) -> list[bytes]:
+    """The frames as PNG: the slider of the bump's height is dragged, then the cursor goes along the bump."""
+    page, frames = dashboard.page, [dashboard.page.screenshot()]
+    for _ in range(8):
+        dashboard.drag(dashboard.slider("Height"), (6,))
+        dashboard.expect_curves()
+        page.wait_for_load_state("networkidle")
+        frames.append(page.screenshot())
+    cursor = page.get_by_role("slider", name="Cursor")
+    low, high = (float(cursor.get_attribute(name) or 0) for name in ("min", "max"))
+    for share in range(1, 15):
+        cursor.fill(str(low + (high - low) * share / 14))
+        frames.append(page.screenshot())
+    return frames
+
+
+def encoded(page: Page, picture: bytes) -> bytes:
+    """A PNG as a single WebP, in the size of the moving one."""
+    text: str = page.evaluate(ENCODE, [base64.b64encode(picture).decode(), WIDTH, HEIGHT])
+    return base64.b64decode(text)
+
+
 def main() -> None:
     """Take them."""
-    shown = {}
     with (
         tempfile.TemporaryDirectory() as folder,
         sync_playwright() as playwright,
@@ -136,23 +165,32 @@ def main() -> None:
         launch(playwright) as browser,
     ):
         server.wait_until_ready()
-        for picture in PICTURES:
-            address, (width, height) = picture.address(server), picture.size
+
+        def opened(address: str, size: tuple[int, int], scheme: Scheme) -> Dashboard:
+            width, height = size
             context = browser.new_context(
                 viewport={"width": width, "height": height},
                 base_url=server.url,
-                color_scheme=picture.scheme,
+                color_scheme=scheme,
                 reduced_motion="reduce",
             )
             context.add_init_script(TOUR_SEEN)
             dashboard = Dashboard(context.new_page(), server.url)
             dashboard.page.goto(address)
+            return dashboard
+
+        for picture in PICTURES:
+            dashboard = opened(picture.address(server), picture.size, picture.scheme)
             picture.ready(dashboard)
             dashboard.page.screenshot(path=FOLDER / f"{picture.name}.png")
-            shown[picture.name] = words(dashboard)
-            context.close()
+            dashboard.page.context.close()
             print(FOLDER / f"{picture.name}.png")
-    WORDS.write_text(json.dumps(shown, ensure_ascii=False, indent=1) + "\n", "utf-8")
+        dashboard = opened("/", LAPTOP, "light")
+        dashboard.expect_curves()
+        frames = taken(dashboard)
+        blank = browser.new_page()
+        MOVING.write_bytes(moving([encoded(blank, frame) for frame in frames]))
+        print(MOVING, f"{MOVING.stat().st_size / 1024:.0f} KiB")
 
 
 if __name__ == "__main__":
