@@ -13,6 +13,7 @@ from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS, SIGNALS
 from sim_core.recorded.offsets import describe_offsets
 from sim_core.scenario.recorded import LONGEST, RecordedDrive
+from sim_core.units import factor
 
 MAX_LINE, MAX_COLUMNS = 4000, 200
 LEAST_SAMPLES = 10
@@ -103,16 +104,13 @@ def _column(index: int, name: str, mapped: str | None, line: int) -> Column:
         if mapped:
             raise CsvError(f"Column {index + 1}, {name}: there is no signal {title}; {_known()}", line)
         return Column(index=index, name=name, signal=None, unit=unit)
-    from ridelab.units import quantity  # with the client and httpx, which a start need not wait for
-
     expected = SIGNALS[signal].unit
     try:
         if not unit:
             raise ValueError(f"its unit is missing, as in {signal} [{expected}]")
-        scale = quantity(f"1 {unit}", expected)
+        scale = factor(unit, expected)
     except ValueError as error:
-        said = str(error).replace("1 ", "", 1) if unit else str(error)
-        raise CsvError(f"Column {index + 1}, {name}: {said}", line) from None
+        raise CsvError(f"Column {index + 1}, {name}: {error}", line) from None
     return Column(index=index, name=name, signal=signal, unit=unit, scale=scale)
 
 

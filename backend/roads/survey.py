@@ -15,6 +15,7 @@ from sim_core.road.iri import iri
 from sim_core.road.iso8608 import classified
 from sim_core.road.survey import CONTACT, DetectedBump, bumps_in, surveyed
 from sim_core.scenario.measured import SPACING, MeasuredRoad
+from sim_core.units import UNITS, factor
 
 MAX_LENGTH, MIN_LENGTH = 3000.0, 5.0  # of a road [m]
 MAX_GAP = 5.0  # between two heights [m]
@@ -22,17 +23,6 @@ WIDE_GAP = 0.25  # beyond which a warning says what is missing [m]
 MAX_HEIGHT = 1e5  # beyond which it is none [m]
 HILLY = 1.0  # heights beyond this, without the slope, may be in another unit [m]
 
-UNITS = {
-    "m": 1.0,
-    "km": 1000.0,
-    "cm": 0.01,
-    "mm": 0.001,
-    "um": 1e-6,
-    "µm": 1e-6,
-    "μm": 1e-6,
-    "ft": 0.3048,
-    "in": 0.0254,
-}
 DISTANCE = ("distance", "position", "station", "x", "s")
 HEIGHT = ("height", "elevation", "z", "profile")
 LEFT, RIGHT = ("left", "left_height", "left height", "z_left"), ("right", "right_height", "right height", "z_right")
@@ -95,12 +85,12 @@ def _columns(names: Sequence[str], line: int, *, alone: bool) -> tuple[list[floa
     titles, scales = [], []
     for name in names:
         title, unit = csv_lines.title_and_unit(name)
-        unit = unit.lower()
-        if unit not in UNITS:
+        try:
+            scales.append(factor(unit, "m"))
+        except ValueError:
             wrong = f'the unit "{unit}" of "{title}" is not understood' if unit else f'"{title}" has no unit'
-            raise CsvError(f"{FORM}; {wrong}: units are {', '.join(dict.fromkeys(UNITS))}", line)
+            raise CsvError(f"{FORM}; {wrong}: units are {', '.join(UNITS['length'])}", line) from None
         titles.append(title.lower())
-        scales.append(UNITS[unit])
     for wanted in ((DISTANCE, HEIGHT), (DISTANCE, LEFT, RIGHT), *([(HEIGHT,)] * alone)):
         matches = [[index for index, title in enumerate(titles) if title in each] for each in wanted]
         if len(titles) == len(wanted) and all(len(each) == 1 for each in matches):

@@ -1,53 +1,14 @@
-"""Units as people write them: what a number with a unit is in the unit that the service takes.
+"""Units as people write them: what a number with a unit is in the unit that the service takes."""
 
-The page reads the same table: `UPDATE_DOCS=1 python -m pytest tests/unit/test_units.py` writes it there.
-"""
-
+import json
 import math
 import re
 from collections.abc import Mapping
+from pathlib import Path
 
-# Quantity -> spelling -> how many of the quantity's SI unit it is.
-UNITS: Mapping[str, Mapping[str, float]] = {
-    "ratio": {"1": 1.0, "%": 0.01},
-    "length": {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3, "in": 0.0254, "ft": 0.3048},
-    "area": {"m^2": 1.0, "mm^2": 1e-6, "cm^2": 1e-4},
-    "volume": {"m^3": 1.0, "cm^3": 1e-6},
-    "time": {"s": 1.0, "ms": 1e-3, "µs": 1e-6, "min": 60.0},
-    "speed": {"m/s": 1.0, "km/h": 1 / 3.6, "mph": 0.44704, "cm/s": 1e-2, "mm/s": 1e-3},
-    "acceleration": {"m/s^2": 1.0, "g": 9.80665},
-    "mass": {"kg": 1.0, "t": 1e3, "lb": 0.45359237},
-    "inertia": {"kg·m^2": 1.0},
-    "force": {"N": 1.0, "kN": 1e3},
-    "force rate": {"N/s": 1.0, "kN/s": 1e3, "N/ms": 1e3},
-    "stiffness": {"N/m": 1.0, "kN/m": 1e3, "N/mm": 1e3},
-    "damping": {"N·s/m": 1.0, "kN·s/m": 1e3, "N·s/mm": 1e3},
-    "pressure": {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "bar": 1e5},
-    "power": {"W": 1.0, "kW": 1e3},
-    "frequency": {"Hz": 1.0, "kHz": 1e3},
-    "angle": {"rad": 1.0, "mrad": 1e-3, "°": math.pi / 180},
-    "angular speed": {"rad/s": 1.0, "mrad/s": 1e-3, "°/s": math.pi / 180},
-    "angular acceleration": {"rad/s^2": 1.0, "°/s^2": math.pi / 180},
-}
-# Other spellings.
-ALIASES: Mapping[str, str] = {
-    "kmh": "km/h",
-    "kph": "km/h",
-    "deg": "°",
-    "deg/s": "°/s",
-    "deg/s^2": "°/s^2",
-    "inch": "in",
-    "inches": "in",
-    "foot": "ft",
-    "feet": "ft",
-    "metre": "m",
-    "metres": "m",
-    "meter": "m",
-    "meters": "m",
-    "sec": "s",
-    "second": "s",
-    "seconds": "s",
-}
+_TABLE = json.loads(Path(__file__).with_name("units.gen.json").read_text(encoding="utf-8"))  # sim_core/units.py
+UNITS: Mapping[str, Mapping[str, float]] = _TABLE["units"]
+ALIASES: Mapping[str, str] = _TABLE["aliases"]
 # Stands in a unit's place where a field is true or false.
 SWITCH = "on/off"
 _SWITCH_WORDS = {

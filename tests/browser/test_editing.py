@@ -79,7 +79,7 @@ def test_fields_are_switched_mistyped_and_set_by_a_vehicle(dashboard: Dashboard,
     dashboard.expect_curves()
     address = page.url
     dashboard.type_into("Height", "3 kg")
-    expect(page.get_by_role("alert")).to_have_text("Takes cm (also without a unit), m, mm, km, in or ft")
+    expect(page.get_by_role("alert")).to_have_text("Takes cm (also without a unit), m, mm, km, in, ft or µm")
     dashboard.type_into("Height", "3 m")
     expect(page.get_by_role("alert")).to_have_text("Must be from −100 to 100 cm")
     expect(dashboard.entry("Height")).to_have_value("3 m")

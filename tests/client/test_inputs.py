@@ -99,7 +99,7 @@ def test_a_measured_road_that_is_chosen_brings_its_length(
     ("change", "said"),
     [
         ("road.bump.height=NaN", "road.bump.height: NaN is not a finite number"),
-        ("road.bump.height=12 kg", "road.bump.height: 12 kg is not understood: it takes m, mm, cm, km, in or ft"),
+        ("road.bump.height=12 kg", "road.bump.height: 12 kg is not understood: it takes m, mm, cm, km, in, ft or µm"),
         ("road.bump.height=12", "road.bump.height: 12 m is not within -1 to 1 m; perhaps 12cm"),
         ("vehicle.body_mass=1.2", "vehicle.body_mass: 1.2 kg is not within 50 to 50000 kg; perhaps 1.2t"),
         ("road.bump.count=0", "road.bump.count: 0 is not within 1 to 200"),

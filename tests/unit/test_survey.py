@@ -86,11 +86,11 @@ def test_an_exported_road_that_was_changed_is_a_new_measurement() -> None:
     ("content", "line", "said"),
     [
         (b"", 1, "The header names the columns with their units"),
-        (b"distance [m],height\n0,0\n", 1, '"height" has no unit: units are m, km, cm, mm'),
+        (b"distance [m],height\n0,0\n", 1, '"height" has no unit: units are m, mm, cm, km'),
         (
-            b"distance (feet), height (inches)\n0,0\n",
+            b"distance (furlongs), height (inches)\n0,0\n",
             1,
-            'the unit "feet" of "distance" is not understood: units are m, km',
+            'the unit "furlongs" of "distance" is not understood: units are m, mm',
         ),
         (b"distance [m],left [mm]\n", 1, "The header names the columns"),
         (b"distance [m],height [mm],height [mm]\n", 1, "The header names the columns"),

@@ -1,4 +1,4 @@
-"""Units as people write them, and the one table that the command line and the page read."""
+"""Units as people write them, and the core's one table, which the client and the page have copies of."""
 
 import json
 import os
@@ -6,10 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from ridelab.units import ALIASES, UNITS, quantity, switch
+from ridelab.units import quantity, switch
 from sim_core.scenario import dotted
+from sim_core.units import ALIASES, UNITS, factor
 
-PAGE = Path(__file__).parents[2] / "frontend/src/units/units.gen.json"
+ROOT = Path(__file__).parents[2]
+COPIES = ("frontend/src/units/units.gen.json", "client/ridelab/units.gen.json")
 
 
 @pytest.mark.parametrize(
@@ -37,9 +39,19 @@ def test_a_number_with_a_unit_is_converted(text: str, unit: str, value: float) -
 
 
 @pytest.mark.parametrize(
+    ("written", "unit", "expected"),
+    [("cm", "m", 0.01), ("KG m2", "kg·m^2", 1), ("km/h", "m/s", 1 / 3.6), ("deg/s", "rad/s", 0.0174532925199)],
+)
+def test_a_unit_is_so_many_of_another(written: str, unit: str, expected: float) -> None:
+    assert factor(written, unit) == pytest.approx(expected, rel=1e-12)
+    with pytest.raises(ValueError, match="furlongs is not understood"):
+        factor("furlongs", unit)
+
+
+@pytest.mark.parametrize(
     ("text", "unit", "message"),
     [
-        ("12 kg", "m", "12 kg is not understood: it takes m, mm, cm, km, in or ft"),
+        ("12 kg", "m", "12 kg is not understood: it takes m, mm, cm, km, in, ft or µm"),
         ("3 furlongs", "km/h", "3 furlongs is not understood: it takes m/s, km/h, mph, cm/s or mm/s"),
         ("2 m", "1/N^2", "2 m is not understood: it takes 1/N^2"),
         ("high", "m", "high is not a number"),
@@ -69,9 +81,10 @@ def test_every_fields_unit_is_known() -> None:
     assert {field.unit for field in dotted.fields().values()} <= known | {"1/N^2"}
 
 
-def test_the_pages_table_is_this_one() -> None:
+@pytest.mark.parametrize("copy", COPIES)
+def test_the_clients_and_the_pages_table_is_the_cores(copy: str) -> None:
     """UPDATE_DOCS=1 writes it."""
-    text = json.dumps({"units": UNITS, "aliases": ALIASES}, indent=1, ensure_ascii=False) + "\n"
+    file, text = ROOT / copy, json.dumps({"units": UNITS, "aliases": ALIASES}, indent=1, ensure_ascii=False) + "\n"
     if os.environ.get("UPDATE_DOCS"):
-        PAGE.write_text(text, encoding="utf-8")
-    assert PAGE.read_text(encoding="utf-8") == text
+        file.write_text(text, encoding="utf-8")
+    assert file.read_text(encoding="utf-8") == text

@@ -37,7 +37,7 @@ describe("a number as people write it", () => {
   });
 
   it.each([
-    ["12 kg", "cm", "Takes cm (also without a unit), m, mm, km, in or ft"],
+    ["12 kg", "cm", "Takes cm (also without a unit), m, mm, km, in, ft or µm"],
     ["3 furlongs", "km/h", "Takes km/h (also without a unit), m/s, mph, cm/s or mm/s"],
     ["2 m", "1", "Takes a number without a unit, or %"],
     ["2 m", "1/N^2", "Takes 1/N² (also without a unit)"],

@@ -80,7 +80,7 @@ export function parseQuantity(text: string, unit: string): Quantity {
   return { ok: true, value: rounded((value * match[1]) / (units[own] ?? 1)) };
 }
 
-/** `cm (without a unit), m, mm, km, in or ft`. */
+/** `cm (without a unit), m, mm, km, in, ft or µm`. */
 function listed(units: Readonly<Record<string, number>>, own: string): string {
   if (own === "1") return "a number without a unit, or %";
   const others = Object.keys(units)
