@@ -43,7 +43,6 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--or-free-port", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--until-input-ends", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--back-up", type=Path, help=argparse.SUPPRESS)
-    parser.add_argument("--verify", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--force", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--drive", type=Path, help=argparse.SUPPRESS)
     parser.add_argument("--json", action="store_true", help=argparse.SUPPRESS)
@@ -52,7 +51,7 @@ def main(arguments: list[str] | None = None) -> int:
 
     from backend.command_error import CommandError
 
-    commands = {"drive": _drive, "back_up": _back_up, "verify": _verify, "explain_limits": _explain_limits}
+    commands = {"drive": _drive, "back_up": _back_up, "explain_limits": _explain_limits}
     command = next((each for name, each in commands.items() if getattr(options, name)), None)
     try:
         if command is not None:
@@ -154,35 +153,6 @@ def _back_up(options: argparse.Namespace) -> int:
     text = f"{file}: {copy.size / 1e6:.1f} MB, a copy of {copy.database}; {waited}"
     _say(text, {"file": file, **asdict(copy)}, as_json=options.json)
     return 0
-
-
-def _verify(options: argparse.Namespace) -> int:
-    """Read the whole database; 1 where something in it is damaged."""
-    from contextlib import closing
-    from dataclasses import asdict
-
-    from sqlalchemy.exc import DBAPIError, SQLAlchemyError
-
-    from backend.command_error import CommandError
-    from backend.db.sqlite import database_file, reason
-    from backend.store import Store
-    from backend.store.verify import verify
-
-    try:
-        with closing(Store(_settings(options).store_url)) as store:
-            file = database_file(store.engine.url)
-            if file is not None and not file.path.exists():
-                raise CommandError(f"There is no database at {file.path}")
-            store.migrate()
-            verdict = verify(store)
-    except SQLAlchemyError as error:
-        why = f"The database cannot be read: {reason(error) if isinstance(error, DBAPIError) else error}"
-        answer = {"sound": False, "rows": {}, "unchecked": {}, "damaged": {}, "structure": [why]}
-        _say(why, answer, as_json=options.json)
-        return 1
-    end = "Everything is as it was written" if verdict.sound else "Something is damaged (docs/how-to/operations.md)"
-    _say("\n".join([*verdict.lines(), end]), {"sound": verdict.sound, **asdict(verdict)}, as_json=options.json)
-    return 0 if verdict.sound else 1
 
 
 def _drive(options: argparse.Namespace) -> int:

@@ -58,7 +58,6 @@ ROUTERS = (
     links.links,
     paper.paper,
     controller.compilers,
-    controller.withdrawn,
     controller.controller,
     library.library,
     library.data_sheets,

@@ -1,7 +1,6 @@
 """The services of one application: each room's, made at the start from what they share, in one typed object."""
 
-import asyncio
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import partial
 
 from prometheus_client import CollectorRegistry
@@ -37,7 +36,6 @@ from backend.runs.service import Runs
 from backend.runs.solve.service import Solver
 from backend.settings import Settings
 from backend.store import Store
-from backend.store.verify import verify_at_start
 from backend.tunings.service import TuningService
 from backend.tunings.steps import TuningSteps
 
@@ -66,14 +64,12 @@ class Services(HttpParts):
     fmus: Fmus
     tuning_steps: TuningSteps
     scheduler: Scheduler
-    verifying: list[asyncio.Task[None]] = field(default_factory=list)  # the check of the whole database, at the start
 
     async def start(self) -> None:
         """Spawn the workers, and lead jobs where no other service does; batch workers start with their first task."""
         self.workers.start()
         await self.own_files.current()  # jobs that go on may drive them
         self.scheduler.start()
-        self.verifying.append(asyncio.create_task(verify_at_start(self.store)))
 
     async def close(self) -> None:
         """End what runs, the database last."""
@@ -83,7 +79,6 @@ class Services(HttpParts):
         await self.workers.close()
         await self.batch_workers.close()
         self.store.close()
-        await asyncio.gather(*self.verifying, return_exceptions=True)
 
 
 def services_of(request: HTTPConnection) -> Services:
@@ -146,7 +141,7 @@ def make_services(settings: Settings, workers: Workers) -> Services:
         tunings=TuningService(store=store, batch_workers=batch_workers, gate=gate, settings=settings),
         paper=Paper(rows=PaperRows(store), results=results, gate=gate),
         links=Links(store=store, workers=workers, runs=runs, gate=gate, roads=roads, recordings=recordings),
-        controllers=Controllers(workers=workers, gate=gate, roads=roads),
+        controllers=Controllers(workers=workers, gate=gate, roads=roads, max_request_cost=settings.max_request_cost),
         fmus=Fmus(workers=workers, gate=gate, roads=roads),
         tuning_steps=tuning_steps,
         scheduler=Scheduler(

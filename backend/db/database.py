@@ -13,12 +13,12 @@ from functools import partial
 from importlib import import_module
 from typing import Any, ParamSpec, TypeVar
 
-from sqlalchemy import Connection, ExceptionContext, Row, Select, Table, event, inspect, make_url, select, text
+from sqlalchemy import Connection, ExceptionContext, Row, Select, Table, event, inspect, make_url, select
 from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
 
 from backend.db.checksum import check
 from backend.db.commits import Commits
-from backend.db.migrations import REVISIONS, upgrade
+from backend.db.migrations import BASELINE, REVISIONS, create, upgrade
 from backend.db.server import ReadOnlyError, SilentServerError, is_deadlock, is_silent, server_engine
 from backend.db.sqlite import (
     COMMIT_TIMEOUT,
@@ -34,7 +34,7 @@ from backend.db.sqlite import (
     sqlite_engine,
     try_writing,
 )
-from backend.db.tables import runs
+from backend.db.tables import runs, schema_version
 from backend.db.types import Now
 
 logger = logging.getLogger(__name__)
@@ -44,7 +44,6 @@ T = TypeVar("T")
 
 READERS = 4  # threads
 SERVER_WRITERS = 2  # PostgreSQL locks rows, not the database: a batch of 100,000 runs keeps no other writer waiting
-STORED_REVISION = text("SELECT version_num FROM alembic_version")
 MOST_DEADLOCKS = 5  # that one transaction may meet; PostgreSQL takes a second to notice one
 START_TIMEOUT = 30.0  # a start waits so long for another one's migration, or for a backup [s]
 DAMAGED = (
@@ -150,8 +149,8 @@ class Database:
             finally:
                 self._open_writes -= 1
 
-    def migrate(self, revision: str = "head") -> None:
-        """Bring the database to the newest schema, or to that revision; safe when several processes start at once.
+    def migrate(self) -> None:
+        """Bring the database to the newest schema; safe when several processes start at once.
 
         Raises:
             UnusableDatabaseError: It cannot be opened, is damaged, is another program's or a newer version's.
@@ -161,7 +160,7 @@ class Database:
         end = time.monotonic() + START_TIMEOUT
         while True:
             try:
-                return self._migrate(revision)
+                return self._migrate()
             except DBAPIError as error:
                 if not is_locked(error) or time.monotonic() > end:
                     raise UnusableDatabaseError(f"{self._name}: {reason(error)}") from error
@@ -220,24 +219,26 @@ class Database:
         """The database as messages name it, without a password."""
         return "The database" if self._file is None else str(self._file.path)
 
-    def _migrate(self, revision: str) -> None:
+    def _migrate(self) -> None:
         with self.writing(large=True) as connection:
             if not self._is_sqlite:
                 connection.exec_driver_sql("SELECT pg_advisory_xact_lock(7236543)")
             tables = inspect(connection).get_table_names()
-            stored = connection.execute(STORED_REVISION).scalar() if "alembic_version" in tables else None
-            self._check_origin(tables, stored)
-            if (revision if revision != "head" else REVISIONS[-1]) != stored:
-                upgrade(connection, revision)
+            if schema_version.name in tables:
+                stored = connection.execute(select(schema_version)).scalar_one()
+                self._check_revision(stored)
+                upgrade(connection, stored)
+            elif self._is_sqlite and tables:
+                raise UnusableDatabaseError(f"{self._name} is another program's database")
+            else:
+                create(connection)
 
-    def _check_origin(self, tables: list[str], stored: str | None) -> None:
-        if stored is None and self._is_sqlite and tables:
-            raise UnusableDatabaseError(f"{self._name} is another program's database")
-        if stored is not None and stored < REVISIONS[0]:
+    def _check_revision(self, stored: str) -> None:
+        if stored < BASELINE:
             raise UnusableDatabaseError(
-                f"{self._name} is of a version of Ridelab before 0.2.0 (schema {stored}): start 0.2.0 on it once"
+                f"{self._name} is of Ridelab 0.3.0 or before (schema {stored}): start 0.4.0 on it once"
             )
-        if stored is not None and stored not in REVISIONS:
+        if stored not in REVISIONS:
             raise UnusableDatabaseError(
                 f"{self._name} is of a newer version of Ridelab (schema {stored}, this one knows {REVISIONS[-1]}): "
                 "upgrade, or put the backup from before in its place"

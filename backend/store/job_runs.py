@@ -3,21 +3,19 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from sqlalchemy import Connection, Row, Select, bindparam, case, select, update
+from sqlalchemy import Connection, Row, Select, bindparam, select, update
 
-from backend.db.checksum import changed_checksum, check, is_intact
 from backend.db.database import RowStore
 from backend.db.tables import EXPIRED, job_runs, jobs, results
 from backend.errors import DamagedError
 from backend.job_run import JobRow, JobRun
-from backend.outcome import FAILED, Outcome
-from backend.store.damage import drop_results, is_result, may_have_passed
+from backend.outcome import Outcome
+from backend.store.damage import drop_damaged_results, drop_results
 from backend.store.job_events import add_event
 from backend.store.jobs import failed_without_result, lock, waiting_runs
 from backend.store.runs import insert_results
 
 RESULT = "result_"  # before the names of a result's columns beside those of its run
-DAMAGED = "What was stored of this run is damaged"
 
 
 class JobRunStore(RowStore):
@@ -28,22 +26,16 @@ class JobRunStore(RowStore):
         query = _waiting_runs(job_id).where(job_runs.c.position.in_(positions))
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
-        damaged = {row.position: DAMAGED for row in rows if not is_intact(job_runs, row)}
         stored = {row.result_key: row.stored for row in rows if row.stored is not None}
-        passed = {row.result_key for row in rows if may_have_passed(row.stored, row.stored_failure)}
-        if passed:
-            drop_results(self._database, passed)
-            stored = {key: status for key, status in stored.items() if key not in passed}
-        if stored or damaged:
+        if stored:
             with self._database.writing() as connection:
                 lock(connection, job_id)
-                _fail(connection, job_id, damaged)
                 _settle(connection, job_id, stored)
             self._database.changed(job_id)
         return [
             JobRun(position=row.position, changes=row.changes, strategy=row.strategy, key=row.result_key)
             for row in rows
-            if row.result_key not in stored and row.position not in damaged
+            if row.result_key not in stored
         ]
 
     def save(
@@ -98,20 +90,16 @@ class JobRunStore(RowStore):
             .order_by(job_runs.c.position)
             .limit(limit)
         )
-        failed_job = select(jobs).where(jobs.c.id == job_id, jobs.c.state == "failed")
+        failed_job = select(jobs.c.reason).where(jobs.c.id == job_id, jobs.c.state == "failed")
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
             cancelled = any(row.status == "cancelled" for row in rows)
-            job = connection.execute(failed_job).one_or_none() if cancelled else None
-        if job is not None:
-            check(jobs, job, "batch")
-        for row in rows:
-            check(job_runs, row, "batch")
-        with_result = [row for row in rows if row.result_key is not None]
-        if damaged := {row.result_key for row in with_result if not is_result(row, RESULT)}:
-            drop_results(self._database, damaged)
-        cancelled_for = None if job is None else job.reason
-        return [_row(row, cancelled_for, lost=row.result_key in damaged) for row in rows]
+            cancelled_for = connection.execute(failed_job).scalar() if cancelled else None
+        lost = drop_damaged_results(self._database, [row for row in rows if row.result_key is not None], RESULT)
+        expired = {row.result_key for row in rows if row.result_status == EXPIRED and row.reason is None}
+        if expired:
+            drop_results(self._database, expired)
+        return [_row(row, cancelled_for, lost=row.result_key in lost | expired) for row in rows]
 
 
 def _row(row: Row[Any], cancelled_for: str | None, *, lost: bool) -> JobRow:
@@ -134,11 +122,10 @@ def _row(row: Row[Any], cancelled_for: str | None, *, lost: bool) -> JobRow:
 
 
 def _waiting_runs(job_id: str) -> Select[Any]:
-    """Runs without a result, each with the status of one that is stored all the same, and what a failed one says."""
+    """Runs without a result, each with the status of one that is stored all the same."""
     has_result = (job_runs.c.result_key == results.c.key) & (results.c.status != EXPIRED)
-    failure = case((results.c.status == FAILED, results.c.summary))
     return (
-        select(*job_runs.c, results.c.status.label("stored"), failure.label("stored_failure"))
+        select(*job_runs.c, results.c.status.label("stored"))
         .join_from(job_runs, results, has_result, isouter=True)
         .where(waiting_runs(job_id))
         .order_by(job_runs.c.position)
@@ -160,18 +147,13 @@ def _settle(connection: Connection, job_id: str, statuses: Mapping[str, str]) ->
 
 def _fail(connection: Connection, job_id: str, reasons: Mapping[int, str]) -> int:
     """Set waiting runs (by position) to failed, with the reason; returns how many did wait."""
-    changed = []
-    for row in connection.execute(select(job_runs).where(waiting_runs(job_id), job_runs.c.position.in_(reasons))):
-        reason = reasons[row.position]
-        intact = is_intact(job_runs, row)  # otherwise it stays damaged
-        checksum = changed_checksum(job_runs, row, {"reason": reason}) if intact else row.checksum
-        changed.append({"at": row.position, "reason": reason, "checksum": checksum})
-    if changed:
-        each = update(job_runs).where(job_runs.c.job_id == job_id, job_runs.c.position == bindparam("at"))
-        new = each.values(status="failed", reason=bindparam("reason"), checksum=bindparam("checksum"))
-        connection.execute(new, changed)
-    _count(connection, job_id, done=0, failed=len(changed))
-    return len(changed)
+    of_run = job_runs.c.job_id == job_id, job_runs.c.status == "waiting", job_runs.c.position == bindparam("at")
+    failed = 0
+    for position, reason in reasons.items():
+        fail = update(job_runs).where(*of_run).values(status="failed", reason=reason)
+        failed += connection.execute(fail, {"at": position}).rowcount
+    _count(connection, job_id, done=0, failed=failed)
+    return failed
 
 
 def _count(connection: Connection, job_id: str, *, done: int, failed: int) -> None:

@@ -27,11 +27,9 @@ from sqlalchemy import (
 )
 from sqlalchemy.exc import IntegrityError
 
-from backend.db.checksum import UNCHECKED, update_row
 from backend.db.database import RowStore, insert_new
 from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, results, trials
 from backend.db.types import UNSTORED, Now
-from backend.errors import DamagedError
 from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from backend.outcome import FAILED
@@ -49,7 +47,7 @@ PURGED = 2000  # rows deleted in one transaction
 LONGEST_KEY = 255  # characters, as the column has them
 
 NAMES = [each.name for each in fields(StoredJob)]
-WHOLE = [*(jobs.c[name] for name in NAMES), jobs.c.checksum]
+WHOLE = [jobs.c[name] for name in NAMES]
 WITHOUT_SWEEP = [jobs.c[name] for name in NAMES if name != "sweep"]
 
 
@@ -235,7 +233,7 @@ class JobStore(RowStore):
                 connection.execute(delete(trials).where(trials.c.job_id == job.id))
             if new_trials:
                 connection.execute(insert(trials), [trial.row(job.id) for trial in new_trials])
-            update_row(connection, jobs, job.id, values)
+            connection.execute(update(jobs).where(jobs.c.id == job.id).values(**values))
             if event is not None:
                 add_event(connection, job.id, event, details)
         self._database.changed(job.id)
@@ -244,7 +242,7 @@ class JobStore(RowStore):
     def set_label(self, job_id: str, label: str | None) -> None:
         """Set its label, or (None) remove it."""
         with self._database.writing() as connection:
-            update_row(connection, jobs, job_id, {"label": label})
+            connection.execute(update(jobs).where(jobs.c.id == job_id).values(label=label))
 
     def delete(self, job_id: str) -> bool:
         """Delete a job and the jobs it submitted; `purge` then deletes their rows.
@@ -286,13 +284,9 @@ class JobStore(RowStore):
         return True
 
     def _one(self, query: Select[Any]) -> StoredJob | None:
-        rows = self._checked(jobs, query, "job")
-        if not rows:
-            return None
-        (row,) = rows
-        if row.state not in (*UNFINISHED, *FINAL):
-            raise DamagedError("job")
-        return _job(row)
+        with self._database.reading() as connection:
+            row = connection.execute(query).one_or_none()
+        return None if row is None else _job(row)
 
     def _change_state(self, job_id: str, before: Sequence[str], state: State, **values: Any) -> None:
         with self._database.writing() as connection:
@@ -333,7 +327,7 @@ def failed_without_result(job_id: str) -> ColumnElement[bool]:
 
 def mark_removed(connection: Connection, ids: Sequence[str]) -> None:
     """Make these jobs ones that nobody finds, to be purged."""
-    nobodys = {"kind": REMOVED, "parent_id": None, "idempotency_key": None, "label": None, "checksum": UNCHECKED}
+    nobodys = {"kind": REMOVED, "parent_id": None, "idempotency_key": None, "label": None}
     connection.execute(update(jobs).where(jobs.c.id.in_(ids)).values(**nobodys))
 
 
@@ -342,10 +336,7 @@ def change_state(connection: Connection, job_id: str, before: Sequence[str], sta
     if lock(connection, job_id) not in before:
         return False
     changed = {"state": state, **_times(state), **values}
-    try:
-        update_row(connection, jobs, job_id, changed)
-    except DamagedError:  # it stays damaged, and ends all the same
-        connection.execute(update(jobs).where(jobs.c.id == job_id).values(**changed))
+    connection.execute(update(jobs).where(jobs.c.id == job_id).values(**changed))
     add_event(connection, job_id, "state")
     return True
 
@@ -363,7 +354,7 @@ def _now_or(earlier: ColumnElement[datetime]) -> ColumnElement[datetime]:
 
 
 def _job(row: Row[Any]) -> StoredJob:
-    return StoredJob(**{name: value for name, value in row._mapping.items() if name != "checksum"})
+    return StoredJob(**row._mapping)
 
 
 def _step(job: StoredJob) -> tuple[Any, Any]:

@@ -7,12 +7,11 @@ from typing import Literal
 
 from sqlalchemy import Connection, select
 
-from backend.db.checksum import is_intact
 from backend.db.database import RowStore, insert_new
 from backend.db.tables import EXPIRED, REMOVED, jobs, links, pinned_series, results, run_results
 from backend.db.types import UNSTORED
 from backend.json_types import JsonObject
-from backend.store.damage import drop_pins
+from backend.store.damage import drop_damaged_pins
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -78,8 +77,7 @@ class LinkStore(RowStore):
         query = select(pinned_series)
         with self._database.reading() as connection:
             rows = connection.execute(query.where(pinned_series.c.result_key.in_(list(keys)))).all()
-        if damaged := [row.result_key for row in rows if not is_intact(pinned_series, row)]:
-            drop_pins(self._database, damaged)
+        damaged = drop_damaged_pins(self._database, rows)
         return {row.result_key: bytes(row.content) for row in rows if row.result_key not in damaged}
 
 

@@ -2,9 +2,8 @@
 
 from collections.abc import Iterable
 
-from sqlalchemy import select
+from sqlalchemy import select, update
 
-from backend.db.checksum import update_row
 from backend.db.database import RowStore, insert_new
 from backend.db.tables import recordings
 from backend.db.types import Now
@@ -19,7 +18,7 @@ class RecordingStore(RowStore):
         row = {"id": drive.id, "samples": drive.samples, "signals": drive.keys, "content": drive.content}
         with self._database.writing() as connection:
             insert_new(connection, recordings, [row])
-            update_row(connection, recordings, drive.id, {"created_at": Now()})
+            connection.execute(update(recordings).where(recordings.c.id == drive.id).values(created_at=Now()))
 
     def load(self, ids: Iterable[str]) -> dict[str, RecordedDrive]:
         """The stored ones of these recordings, by id."""

@@ -3,9 +3,9 @@
 import re
 from collections.abc import Iterable
 
-from sqlalchemy import select
+from sqlalchemy import select, update
 
-from backend.db.checksum import update_row
+from backend.db.checksum import checksum_of
 from backend.db.database import RowStore, insert_new
 from backend.db.tables import roads
 from backend.db.types import Now
@@ -37,9 +37,10 @@ class RoadStore(RowStore):
         row = {"id": road.id, "samples": road.samples, "content": road.content, "analysis": analysis}
         with self._database.writing() as connection:
             insert_new(connection, roads, [row])
-            stored = connection.execute(select(roads.c.analysis).where(roads.c.id == road.id)).scalar_one()
-            first = {"analysis": analysis} if stored is None else {}
-            update_row(connection, roads, road.id, {"created_at": Now(), **first})
+            stored = update(roads).where(roads.c.id == road.id)
+            first = {"analysis": analysis, "checksum": checksum_of(roads, row)}
+            connection.execute(stored.where(roads.c.analysis.is_(None)).values(**first))
+            connection.execute(stored.values(created_at=Now()))
 
     def analysis(self, road_id: str) -> JsonObject:
         """What was said of the first file of the stored road; empty where that was before roads were analysed."""

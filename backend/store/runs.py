@@ -5,16 +5,16 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import Any, Self
 
-from sqlalchemy import Connection, Select, bindparam, delete, insert, select
+from sqlalchemy import Connection, Row, Select, bindparam, delete, insert, select, update
 
-from backend.db.checksum import check, update_row
+from backend.db.checksum import check, checksum_of
 from backend.db.database import RowStore, dialect_insert, insert_new
 from backend.db.tables import EXPIRED, results, run_recordings, run_results, run_roads, runs
 from backend.db.types import UNSTORED
 from backend.errors import DamagedError
 from backend.json_types import JsonObject
 from backend.outcome import UNSTORED_FAILURE, Outcome
-from backend.store.damage import drop_results, is_result
+from backend.store.damage import drop_damaged_results
 from backend.store.roads import measured_roads
 from sim_core.scenario.recorded import recording_id
 
@@ -105,21 +105,16 @@ class RunStore(RowStore):
     def load(self, run_id: str) -> StoredRun | None:
         """The run of that id, if it is stored."""
         with self._database.reading() as connection:
-            run, dropped = _load_run(connection, run_id)
-        if dropped:
-            drop_results(self._database, dropped)
-            with self._database.reading() as connection:
-                run, _ = _load_run(connection, run_id)
-        return run
+            rows = _read_run(connection, run_id)
+        return self._stored_run(*rows)
 
     def load_results(self, keys: Iterable[str]) -> dict[str, Outcome]:
         """The stored ones of these results, by key."""
         query = select(results).where(results.c.key.in_(list(keys)), results.c.status != EXPIRED)
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
-        if dropped := [row.key for row in rows if not is_result(row)]:
-            drop_results(self._database, dropped)
-        return {row.key: _result(row) for row in rows if row.key not in dropped}
+        damaged = drop_damaged_results(self._database, rows)
+        return {row.key: _result(row) for row in rows if row.key not in damaged}
 
     def save(self, run: StoredRun) -> StoredRun:
         """Commit a run and those of its results that are not stored; returns the run in the database.
@@ -127,15 +122,12 @@ class RunStore(RowStore):
         Of a failure that is not `cacheable` it has an expired result. Where another process stored the same run first,
         that one stays: content-addressed results never change.
         """
-        stored, dropped = self._save(run)
-        if dropped:
-            drop_results(self._database, dropped)
-            stored, _ = self._save(run)
-        if stored is None:
-            raise RuntimeError("A run was not there right after it was stored")
-        return stored
+        stored = self._save(run)
+        pairs = zip(stored.results, run.results, strict=False)
+        damaged = any(there.status == EXPIRED and new.cacheable for there, new in pairs)  # one that was there before
+        return self._save(run) if damaged else stored
 
-    def _save(self, run: StoredRun) -> tuple[StoredRun | None, list[str]]:
+    def _save(self, run: StoredRun) -> StoredRun:
         with self._database.writing() as connection:
             insert_results(connection, run.results, run.core_version)
             insert_new(connection, runs, [{name: getattr(run, name) for name in _STORED_NAMES}])
@@ -145,7 +137,22 @@ class RunStore(RowStore):
             for recording in map(recording_id, run.by_strategy):
                 if recording is not None:
                     insert_new(connection, run_recordings, [{"run_id": run.id, "recording_id": recording}])
-            return _load_run(connection, run.id)
+            rows = _read_run(connection, run.id)
+        stored = self._stored_run(*rows)
+        if stored is None:
+            raise RuntimeError("A run was not there right after it was stored")
+        return stored
+
+    def _stored_run(self, head: Row[Any] | None, members: Sequence[Row[Any]]) -> StoredRun | None:
+        """Make a run of its rows; a damaged result is dropped, and the run has it as expired."""
+        if head is None:
+            return None
+        check(runs, head, "run")
+        if [row.position for row in members] != list(range(len(members))):
+            raise DamagedError("run")
+        damaged = drop_damaged_results(self._database, members)
+        outcomes = tuple(_result(row, lost=row.key in damaged) for row in members)
+        return StoredRun(**{name: getattr(head, name) for name in (*_STORED_NAMES, "created_at")}, results=outcomes)
 
     def recompute(self, run: StoredRun, core_version: str) -> None:
         """Replace the results of a stored run by these.
@@ -154,13 +161,14 @@ class RunStore(RowStore):
             run: As it is now. Where all of it is of that core version, its scenario is stored with the fields of today.
             core_version: That computed those of its results that are not stored.
         """
-        of_today = ("core_version", "schema_version", "scenario")
-        changed = {name: getattr(run, name) for name in of_today if run.core_version == core_version}
         with self._database.writing() as connection:
             insert_results(connection, run.results, core_version)
             connection.execute(delete(run_results).where(run_results.c.run_id == run.id))
             connection.execute(insert(run_results), _members(run.id, run.results))
-            update_row(connection, runs, run.id, changed)
+            if run.core_version == core_version:
+                values = {name: getattr(run, name) for name in _STORED_NAMES}
+                values["checksum"] = checksum_of(runs, values)
+                connection.execute(update(runs).where(runs.c.id == run.id).values(**values))
 
 
 def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_version: str) -> set[str]:
@@ -186,19 +194,10 @@ def _row(item: Outcome, core_version: str) -> dict[str, object]:
     return {**row, "status": EXPIRED, "summary": UNSTORED_FAILURE.decode(), "compute_ms": 0.0}
 
 
-def _load_run(connection: Connection, run_id: str) -> tuple[StoredRun | None, list[str]]:
-    """The run and the keys of its results that are to be dropped, which it has as expired."""
+def _read_run(connection: Connection, run_id: str) -> tuple[Row[Any] | None, Sequence[Row[Any]]]:
+    """Return the rows of a run and of its results."""
     head = connection.execute(_HEAD, {"run": run_id}).one_or_none()
-    if head is None:
-        return None, []
-    check(runs, head, "run")
-    members = connection.execute(_MEMBERS, {"run": run_id}).all()
-    if [row.position for row in members] != list(range(len(members))):
-        raise DamagedError("run")
-    dropped = [row.key for row in members if not is_result(row)]
-    outcomes = (_result(row, lost=row.key in dropped) for row in members)
-    values = {name: getattr(head, name) for name in (*_STORED_NAMES, "created_at")}
-    return StoredRun(**values, results=tuple(outcomes)), dropped
+    return head, connection.execute(_MEMBERS, {"run": run_id}).all()
 
 
 def _result(row: Any, *, lost: bool = False) -> Outcome:

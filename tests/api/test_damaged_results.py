@@ -1,28 +1,27 @@
 """A stored result of which a bit has flipped is noticed, computed again and counted; a link's reader is told."""
 
 import re
-from contextlib import closing
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 import httpx
+import numpy as np
 import pytest
-from sqlalchemy import Connection, select, update
-from sqlalchemy import text as sql
+from sqlalchemy import Column, Connection, Table, select, update
 
 from backend.db.checksum import UNCHECKED
-from backend.db.tables import job_runs, jobs, pinned_series, results, run_results
+from backend.db.database import insert_new
+from backend.db.tables import job_runs, links, pinned_series, recordings, results, roads, run_results, runs
 from backend.errors import DamagedError
-from backend.metrics import DAMAGED_RESULTS
-from backend.store import Store
-from backend.store.verify import verify
+from backend.store import Store, StoredLink, StoredRun
+from sim_core.scenario.measured import MeasuredRoad
+from sim_core.scenario.recorded import RecordedDrive
 from tests.api.conftest import HEIGHTS
 from tests.api.test_job_store import BATCH, computed, rows
 from tests.api.test_links import opened, share
 from tests.api.test_store import outcomes, save
-from tests.data import release
 from tests.servers import batches
-from tests.servers.postgres import Postgres
 from tests.there import there
 
 
@@ -125,7 +124,71 @@ def test_damaged_time_histories_of_a_link_are_made_again(service: Any, fresh: di
     assert opened(service, slug)["damaged_at"] is not None
 
 
-def test_both_databases_drop_what_is_damaged_and_keep_what_has_no_checksum(store: Store) -> None:
+RUN = StoredRun(
+    id="r" * 22, core_version="1", schema_version=1, scenario={"road": {}}, results=tuple(outcomes("a", "b"))
+)
+ROAD = MeasuredRoad.of(np.zeros(600))
+DRIVE = RecordedDrive.of({"time": np.arange(900.0), "body_acceleration": np.ones(900)})
+READ: dict[Table, Callable[[Store], object]] = {
+    results: lambda store: [*there(store.runs.load(RUN.id)).results, *store.runs.load_results(["a"]).values()],
+    pinned_series: lambda store: store.links.load_pins(["a"]),
+    runs: lambda store: store.runs.load(RUN.id),
+    links: lambda store: store.links.load("s" * 22),
+    roads: lambda store: store.roads.load([ROAD.id]),
+    recordings: lambda store: store.recordings.load([DRIVE.id]),
+}
+
+
+@pytest.mark.parametrize("table", READ, ids=str)
+def test_a_value_that_was_not_written_so_is_never_answered(store: Store, table: Table) -> None:
+    """Each column of each kind of row; a result and its time histories are dropped, anything else is said."""
+    store.runs.save(RUN)
+    store.links.save(StoredLink(slug="s" * 22, kind="run", target=RUN.id, view={"x": 1}), {"a": bytes(100)})
+    store.roads.save(ROAD, {"iri": 2.5})
+    store.recordings.save(DRIVE)
+    whole = READ[table](store)
+    names = {*table.c.checksum.info["covered"], "checksum"}
+    columns = [each for each in table.c if each.name in names and not each.primary_key and not each.foreign_keys]
+    assert columns
+    for column in columns:
+        with store.writing() as connection:
+            row = connection.execute(select(table)).first()._mapping  # type: ignore[union-attr]
+            key = next(iter(table.primary_key)) == next(iter(row.values()))
+            connection.execute(update(table).where(key).values({column.name: changed(column, row[column.name])}))
+        if table in (results, pinned_series):
+            assert READ[table](store) != whole, column
+            with store.writing() as connection:
+                insert_new(connection, table, [dict(row)])
+                connection.execute(update(table).where(key).values(dict(row)))
+        else:
+            with pytest.raises(DamagedError):
+                READ[table](store)
+            with store.writing() as connection:
+                connection.execute(update(table).where(key).values(dict(row)))
+        assert READ[table](store) == whole
+
+
+def changed(column: Column[Any], value: Any) -> Any:
+    """Another value of the column's type; of a checksum none, as a flipped bit of a row's head leaves it."""
+    if column.name == "checksum":
+        return None
+    if isinstance(value, int | float):
+        return value + 1
+    if isinstance(value, bytes):
+        return bytes([value[0] ^ 1]) + value[1:]
+    return {"other": 1} if isinstance(value, dict) else f"{value or ''}0"
+
+
+def test_a_text_whose_type_became_bytes_is_damaged(store: Store) -> None:
+    """SQLite keeps the type with each value: one bit decides it."""
+    if store.engine.dialect.name == "sqlite":
+        store.runs.save(RUN)
+        with store.writing() as connection:
+            connection.exec_driver_sql("UPDATE results SET summary = CAST(summary AS BLOB)")
+        assert store.runs.load_results(["a", "b"]) == {}
+
+
+def test_both_databases_compute_what_is_damaged_again_and_keep_what_has_no_checksum(store: Store) -> None:
     save(store, "run", "a", "b", "c")
     for key in ("a", "b"):
         damage(store, key)
@@ -135,50 +198,6 @@ def test_both_databases_drop_what_is_damaged_and_keep_what_has_no_checksum(store
     run = there(store.runs.load("run"))
     assert [item.status for item in run.results] == ["expired", "ok", "ok"]
     assert save(store, "run", "a", "b", "c").results[0] == replace(outcomes("a")[0], core_version="1")
-
-
-def test_what_a_replica_of_0_3_0_expires_is_not_damaged(store: Store) -> None:
-    """It knows no checksums, and leaves them."""
-    save(store, "run", "a")
-    before = DAMAGED_RESULTS.labels("result")._value.get()
-    with store.writing() as connection:
-        connection.execute(update(results).values(status="expired", summary="{}", compute_ms=0))
-    run = there(store.runs.load("run"))
-    assert run.expired
-    assert DAMAGED_RESULTS.labels("result")._value.get() == before
-
-
-def test_what_a_replica_of_0_3_0_writes_on_postgresql_counts_as_intact(
-    postgres: Postgres, migrated_postgres: str
-) -> None:
-    """It knows no checksums: their columns say so for it, in the schema of today."""
-    with closing(Store(postgres.new_database(migrated_postgres))) as store:
-        release.insert(store, "0.3.0")
-        verdict = verify(store)
-        assert verdict.sound
-        assert verdict.unchecked == verdict.rows
-        assert {name for name, count in verdict.rows.items() if not count} == {"recordings"}  # which 0.3.0 had not
-        run_id, *_ = (row["id"] for row in release.rows("0.3.0", "runs"))
-        assert there(store.runs.load(run_id)).id == run_id
-
-
-def test_the_reason_of_a_run_is_checked(store: Store) -> None:
-    """Of one that failed as it was planned, one in its process, and one that has the reason of its batch."""
-    planned, *others = rows()
-    store.jobs.create(BATCH, [planned._replace(key="", reason="No such car"), *others])
-    store.job_runs.save(BATCH.id, computed("key-1"), "1", {2: "It took too long"})
-    store.jobs.give_up(BATCH.id, "The disk is full")
-    reasons = [row.reason for row in store.job_runs.rows(BATCH.id, -1, 4)]
-    assert reasons == ["No such car", None, "It took too long", "The disk is full"]
-    assert not verify(store).damaged["job_runs"]
-    with store.writing() as connection:
-        connection.execute(update(job_runs).values(reason="Bad luck"))
-        connection.execute(update(jobs).values(reason="Bad luck"))
-    # That of a run that had none is as a version before wrote it, whose checksum did not cover it.
-    assert verify(store).damaged["job_runs"] == [f"{BATCH.id} {position}" for position in (0, 2)]
-    for position in (0, 3):
-        with pytest.raises(DamagedError):
-            store.job_runs.rows(BATCH.id, position - 1, 1)
 
 
 def test_jobs_count_what_they_have_lost_and_a_cancelled_one_waits_for_nothing(store: Store) -> None:
@@ -199,15 +218,3 @@ def test_jobs_count_what_they_have_lost_and_a_cancelled_one_waits_for_nothing(st
         assert (job.state, job.done, job.failed) == (state, 10, 0)
         assert [run_statuses[3], run_statuses[11]] == [status] * 2
         assert run_statuses.count("ok") == 10
-
-
-def test_a_damaged_job_that_is_given_up_has_failed_and_stays_damaged(store: Store) -> None:
-    for job_id, change in (("label", {"label": "another"}), ("request", {"request": sql("'{'")})):
-        store.jobs.create(replace(BATCH, id=job_id))
-        with store.writing() as connection:
-            connection.execute(update(jobs).where(jobs.c.id == job_id).values(**change))
-        store.jobs.give_up(job_id, "It is damaged")
-        with store.reading() as connection:
-            columns = select(jobs.c.state, jobs.c.reason).where(jobs.c.id == job_id)
-            assert connection.execute(columns).one() == ("failed", "It is damaged")
-    assert verify(store).damaged["jobs"] == ["label", "request"]

@@ -8,8 +8,6 @@ from dataclasses import replace
 import pytest
 from sqlalchemy import text
 
-from backend.db.checksum import update_row
-from backend.db.tables import jobs
 from backend.store import Store
 from backend.store.jobs import lock
 from tests.api.test_job_store import BATCH, computed, rows
@@ -73,16 +71,3 @@ def test_a_transaction_that_is_rolled_back_for_a_deadlock_is_begun_again(postgre
     loops.run(use)
     assert [there(store.jobs.load(job.id)).state for job in (BATCH, CHILD)] == ["cancelled", "cancelled"]
     assert postgres.log.count("deadlock detected") == before + 1
-
-
-def test_a_row_that_two_change_at_once_keeps_a_checksum_that_fits(store: Store) -> None:
-    async def use() -> None:
-        with store.writing() as connection:
-            update_row(connection, jobs, CHILD.id, {"total": 7})
-            naming = asyncio.create_task(store.write(store.jobs.set_label, CHILD.id, "mine"))
-            await waiting(store, 1)
-        await naming
-
-    loops.run(use)
-    job = there(store.jobs.load(CHILD.id))
-    assert (job.total, job.label) == (7, "mine")

@@ -10,12 +10,10 @@ import pytest
 from sqlalchemy import update
 
 from backend.batches.rendering import as_json, columns
-from backend.db.checksum import UNCHECKED
 from backend.db.tables import job_runs, links
 from backend.job_run import JobRun
 from backend.outcome import Outcome
 from backend.store import Store, StoredJob, StoredLink, jobs
-from backend.store.verify import verify
 from tests.there import there
 
 RUNS = 12
@@ -180,7 +178,7 @@ def test_a_run_that_ends_after_its_batch_was_given_up_and_resumed_has_no_reason_
 ) -> None:
     store.jobs.give_up(batch.id, "The disk is full")
     with store.writing() as connection:  # as 0.3.0 left them
-        connection.execute(update(job_runs).values(reason="The disk is full", checksum=UNCHECKED))
+        connection.execute(update(job_runs).values(reason="The disk is full"))
     store.jobs.resume(batch.id)
     results = [*computed("key-1"), *computed("key-2", status="failed")]
     store.job_runs.save(batch.id, results, "1", {3: "It took too long"})
@@ -188,7 +186,6 @@ def test_a_run_that_ends_after_its_batch_was_given_up_and_resumed_has_no_reason_
     assert [run.status for run in runs] == ["waiting", "ok", "failed", "failed", "waiting"]
     assert columns(runs, [], [])["reason"] == [None, None, "too steep", "It took too long", None]
     assert as_json(runs).count(b'"reason":') == 2
-    assert verify(store).unchecked["job_runs"] == RUNS
     store.jobs.cancel(batch.id)
     assert store.job_runs.rows(batch.id, -1, 1)[0].reason is None
 

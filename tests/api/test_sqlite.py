@@ -203,7 +203,7 @@ def newer(path: Path) -> None:
 
 
 def older(path: Path) -> None:
-    changed(path, "UPDATE alembic_version SET version_num = '0003'")
+    changed(path, "UPDATE alembic_version SET version_num = '0012'")
 
 
 def strange(path: Path) -> None:
@@ -223,7 +223,7 @@ def changed(path: Path, statement: str) -> None:
         (lambda path: path.write_bytes(b""), "is empty: put a backup in its place"),
         (damaged, "it is damaged; put a backup in its place"),
         (newer, f"is of a newer version of Ridelab (schema 9999, this one knows {REVISIONS[-1]})"),
-        (older, "is of a version of Ridelab before 0.2.0 (schema 0003): start 0.2.0 on it once"),
+        (older, "is of Ridelab 0.3.0 or before (schema 0012): start 0.4.0 on it once"),
         (strange, "is another program's database"),
         (lambda path: (path.unlink(), path.mkdir()), "it cannot be opened"),
         (lambda path: (path.unlink(), path.symlink_to("/dev/null/ridelab.sqlite")), "Not a directory"),

@@ -97,11 +97,11 @@ def starter(folder: Path) -> Iterator[Start]:
 
 @pytest.fixture(scope="session")
 def database(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The database of core 0.2.0, killed in the middle of a batch and a tuning."""
+    """The database of core 0.4.0, killed in the middle of a batch and a tuning."""
     folder = tmp_path_factory.mktemp("shared") / "data"
     folder.mkdir()
     store = Store(f"sqlite:///{folder}/ridelab.sqlite")
-    release.restore(store, "0.2.0")
+    release.restore(store)
     store.close()
     return folder / "ridelab.sqlite"
 
@@ -113,7 +113,10 @@ def service(database: Path) -> Iterator[Process]:
     frontend.mkdir()
     (frontend / "index.html").write_text(PAGE)  # a built one, as far as the service cares
     limits = {"RIDELAB_WORKERS": "2", "RIDELAB_MAX_REQUEST_COST": "1000"}
+    controllers = database.parent.parent / "controllers"
+    controllers.mkdir()
+    release.write_controllers(controllers)
     for start in starter(database.parent.parent):
-        started = start(**limits, RIDELAB_FRONTEND_DIR=str(frontend))
+        started = start(**limits, RIDELAB_FRONTEND_DIR=str(frontend), RIDELAB_CONTROLLERS=str(controllers))
         started.finish()
         yield started

@@ -1,8 +1,6 @@
-"""Databases of earlier releases open with all they have, and jobs that their services were killed in are finished."""
+"""A database of 899e0802 opens with all they have, and jobs that its service was killed in are finished."""
 
-import io
 import json
-import re
 import zlib
 from collections.abc import Iterator
 from contextlib import closing
@@ -13,18 +11,16 @@ from typing import Any
 import httpx
 import numpy as np
 import pytest
-from pyarrow import parquet
 
 from backend import digest
 from backend.links.models import Link
-from backend.runs.pins import PARQUET
 from backend.store import Store
 from backend.store.job import FINAL
 from sim_core import Scenario, __version__, load_controllers, simulate
 from sim_core.catalogue import SIGNALS
 from tests.api.streams import events_of, read_events
 from tests.data import release
-from tests.faults.conftest import Process, Start, starter
+from tests.faults.conftest import Process, starter
 from tests.servers.batches import computed
 from tests.servers.postgres import Postgres
 from tests.servers.process import wait_until
@@ -37,45 +33,29 @@ SAMPLES = {"series", "distance", "height"}  # which are shown is for each versio
 
 @dataclass(frozen=True, kw_only=True)
 class Opened:
-    """A release's database, and the service of today that opened it and has finished what was unfinished."""
+    """The service of today that opened that database and has finished what was unfinished."""
 
-    version: release.Version
     client: httpx.Client
     url: str
 
-    def rows(self, table: str) -> release.Rows:
-        """Those the database had, with today's names."""
-        return release.rows(self.version, table)
 
-
-@pytest.fixture(scope="module")
-def start(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Start]:
-    yield from starter(tmp_path_factory.mktemp("release"))
-
-
-CASES = ["0.2.0 sqlite", "0.4.0 sqlite", "0.4.0 postgresql", "0.3.0 sqlite", "0.3.0 postgresql"]
-
-
-# That both databases keep every row of each release is shown in tests/api/test_store.py.
-@pytest.fixture(scope="module", params=some(3, CASES))
-def opened(request: pytest.FixtureRequest) -> Opened:
-    version, database = request.param.split()
-    if version == "0.2.0":
+# That both databases keep every row is shown in tests/api/test_store.py.
+@pytest.fixture(scope="module", params=some(1, ["sqlite", "postgresql"]))
+def opened(request: pytest.FixtureRequest) -> Iterator[Opened]:
+    if request.param == "sqlite":
         service: Process = request.getfixturevalue("service")
-        return Opened(version=version, client=service.client, url=f"sqlite:///{request.getfixturevalue('database')}")
-    if database == "sqlite":
-        url = f"sqlite:///{request.getfixturevalue('tmp_path_factory').mktemp('release')}/ridelab.sqlite"
-    else:
-        postgres: Postgres = request.getfixturevalue("postgres")
-        url = postgres.new_database()
+        yield Opened(client=service.client, url=f"sqlite:///{request.getfixturevalue('database')}")
+        return
+    postgres: Postgres = request.getfixturevalue("postgres")
+    folder: Path = request.getfixturevalue("tmp_path_factory").mktemp("release")
+    url = postgres.new_database()
     with closing(Store(url)) as store:
-        release.restore(store, version)
-    controllers = request.getfixturevalue("tmp_path_factory").mktemp("controllers")
-    release.write_controllers(version, controllers)
-    start: Start = request.getfixturevalue("start")
-    started = start(RIDELAB_DATABASE_URL=url, RIDELAB_CONTROLLERS=str(controllers))
-    started.finish()
-    return Opened(version=version, client=started.client, url=url)
+        release.restore(store)
+    release.write_controllers(folder)
+    for start in starter(folder):
+        started = start(RIDELAB_DATABASE_URL=url, RIDELAB_CONTROLLERS=str(folder))
+        started.finish()
+        yield Opened(client=started.client, url=url)
 
 
 def differences(before: Any, now: Any, path: str = "") -> list[str]:
@@ -97,7 +77,7 @@ def differences(before: Any, now: Any, path: str = "") -> list[str]:
 
 
 def test_everything_is_answered_as_before(opened: Opened) -> None:
-    for path, before in release.content(opened.version)["answers"].items():
+    for path, before in release.content()["answers"].items():
         if path.endswith("/events"):
             assert not differences(events_of(before), read_events(opened.client, f"/api/v1{path}")), path
         else:
@@ -110,9 +90,7 @@ def test_everything_is_answered_as_before(opened: Opened) -> None:
 
 
 def test_results_that_may_be_wrong_are_answered(opened: Opened) -> None:
-    stale: dict[str, Any] = release.content(opened.version).get("stale", {})
-    assert bool(stale) is (opened.version == "0.4.0")
-    for path in stale:
+    for path in release.content()["stale"]:
         opened.client.get(f"/api/v1{path}").raise_for_status()
 
 
@@ -120,8 +98,8 @@ def test_a_new_request_gets_no_result_that_a_controllers_plain_preview_made_wron
     opened: Opened, tmp_path: Path
 ) -> None:
     """Core 0.4.0 had one result for all gains of the sensors; now each run and each point of a sweep is computed."""
-    stored = [each for path, each in release.content(opened.version).get("stale", {}).items() if "/runs/" in path]
-    release.write_controllers(opened.version, tmp_path)
+    stored = [each for path, each in release.content()["stale"].items() if "/runs/" in path]
+    release.write_controllers(tmp_path)
     figure, gains, metrics = "bump.body_acceleration.peak", list[float](), list[float]()
     for run in stored:
         (kind,) = (each["ahead"] for file in tmp_path.glob("*.py") if "ahead" in (each := load_controllers(file)))
@@ -132,21 +110,18 @@ def test_a_new_request_gets_no_result_that_a_controllers_plain_preview_made_wron
         assert now["strategies"]["ahead"]["metrics"] == expected.summary()["metrics"]
         gains.append(run["scenario"]["mismatch"]["preview_gain"])
         metrics.append(expected.metrics["bump"]["body_acceleration"]["peak"])
-    if stored:
-        before = [run["strategies"]["ahead"]["metrics"] for run in stored]
-        assert all(each == before[0] for each in before)
-        assert len(set(metrics)) == len(stored) > 1
-        sweep = {"grid": {"mismatch.preview_gain": gains}}
-        batch = computed(opened.client, scenario=stored[0]["scenario"], strategies=["ahead"], sweep=sweep)
-        table = opened.client.get(f"/api/v1/batches/{batch['id']}/table", params={"figures": figure}).json()
-        assert table["columns"][figure] == metrics
+    before = [run["strategies"]["ahead"]["metrics"] for run in stored]
+    assert all(each == before[0] for each in before)
+    assert len(set(metrics)) == len(stored) > 1
+    sweep = {"grid": {"mismatch.preview_gain": gains}}
+    batch = computed(opened.client, scenario=stored[0]["scenario"], strategies=["ahead"], sweep=sweep)
+    table = opened.client.get(f"/api/v1/batches/{batch['id']}/table", params={"figures": figure}).json()
+    assert table["columns"][figure] == metrics
 
 
 def test_a_failure_that_was_the_machines_is_computed_again(opened: Opened) -> None:
     """The FMU could not be loaded; the results beside it stay what they are, and each says which core computed it."""
-    faults: dict[str, Any] = release.content(opened.version).get("machine_faults", {})
-    assert bool(faults) is (opened.version == "0.4.0")
-    for path, before in faults.items():
+    for path, before in release.content()["machine_faults"].items():
         now = opened.client.get(f"/api/v1{path}").raise_for_status().json()
         if "rows" in before:
             assert {row["status"] for row in before["rows"]} == {"failed"}
@@ -169,18 +144,16 @@ def test_a_failure_that_was_the_machines_is_computed_again(opened: Opened) -> No
 
 
 def test_a_summary_says_which_core_computes_its_nominal_values(opened: Opened) -> None:
-    answers = release.content(opened.version)["answers"]
+    answers = release.content()["answers"]
     paths = [path for path in answers if path.partition("?")[0].endswith("/summary")]
     assert paths
     for path in paths:
         assert opened.client.get(f"/api/v1{path}").json()["core_version"] == __version__
-        assert opened.client.get(f"/api/v1{path.rpartition('/')[0]}").json()["core_version"] == opened.version
+        assert opened.client.get(f"/api/v1{path.rpartition('/')[0]}").json()["core_version"] == release.VERSION
 
 
 def pinned_samples(content: bytes) -> dict[str, Any]:
     """By signal its pinned samples."""
-    if content.startswith(PARQUET):
-        return dict(parquet.read_table(io.BytesIO(content)).to_pydict())
     _, head, packed = content.split(b"\n", 2)
     signals = json.loads(head)["units"]
     by_byte = np.frombuffer(zlib.decompress(packed), np.uint8).reshape(len(signals), 4, -1)
@@ -188,9 +161,9 @@ def pinned_samples(content: bytes) -> dict[str, Any]:
 
 
 def test_time_histories_are_those_that_were_pinned(opened: Opened) -> None:
-    pinned = {row["result_key"]: row["content"] for row in opened.rows("pinned_series")}
-    strategies = {row["key"]: row["strategy"] for row in opened.rows("results") if row["key"] in pinned}
-    first = {row["result_key"]: row["run_id"] for row in reversed(opened.rows("run_results"))}
+    pinned = {row["result_key"]: row["content"] for row in release.rows("pinned_series")}
+    strategies = {row["key"]: row["strategy"] for row in release.rows("results") if row["key"] in pinned}
+    first = {row["result_key"]: row["run_id"] for row in reversed(release.rows("run_results"))}
     assert pinned.keys() == strategies.keys()
     assert pinned
     for key, strategy in strategies.items():
@@ -204,24 +177,10 @@ def test_time_histories_are_those_that_were_pinned(opened: Opened) -> None:
         header = opened.client.get(f"{path}&format=csv").text.splitlines()[0]
         assert header.startswith(f"time [{SIGNALS['time'].unit}]")
         assert opened.client.get(f"/api/v1/runs/{first[key]}/figures/speed").json()["data"]
-        if opened.version == "0.2.0":
-            now = simulate(Scenario.model_validate(release.SCENARIO), strategy).series["body_acceleration"]
-            differ = len(now) != len(then["time"]) or not np.allclose(now, then["body_acceleration"], rtol=1e-5)
-            assert differ, "today's core computes otherwise, or this shows nothing"
-
-
-def test_a_run_of_release_0_2_0_can_be_run_again_on_the_current_core(service: Process) -> None:
-    old = service.client.get(f"/api/v1/runs/{release.rows('0.2.0', 'runs')[0]['id']}").json()
-    request = {"scenario": old["scenario"], "strategies": ["lv"]}
-    again = service.client.post("/api/v1/runs", json=request).json()
-    assert again["core_version"] == __version__
-    assert again["id"] != old["id"]
-    assert again["strategies"]["lv"]["metrics"] != old["strategies"]["lv"]["metrics"]
 
 
 def test_a_run_that_had_expired_is_computed_again(opened: Opened) -> None:
-    expired: dict[str, Any] = release.content(opened.version).get("expired", {})
-    assert bool(expired) is (opened.version != "0.2.0")
+    expired: dict[str, Any] = release.content()["expired"]
     ours = [before for before in expired.values() if "mine" not in before["strategies"] and "roads" not in before]
     same = all(digest.run_id(Scenario.model_validate(run["scenario"]), run["strategies"]) == run["id"] for run in ours)
     for path, before in expired.items():
@@ -238,8 +197,8 @@ def test_a_run_that_had_expired_is_computed_again(opened: Opened) -> None:
 
 
 def test_a_link_has_the_scenario_in_the_current_schema(opened: Opened) -> None:
-    versions = {row["id"]: row["schema_version"] for table in ("runs", "jobs") for row in opened.rows(table)}
-    for stored in opened.rows("links"):
+    versions = {row["id"]: row["schema_version"] for table in ("runs", "jobs") for row in release.rows(table)}
+    for stored in release.rows("links"):
         answer = opened.client.get(f"/api/v1/links/{stored['slug']}")
         Link.model_validate_json(answer.content)
         link = answer.json()
@@ -249,53 +208,43 @@ def test_a_link_has_the_scenario_in_the_current_schema(opened: Opened) -> None:
         assert (link["run"] or link["batch"])["scenario"] == link["scenario"]
 
 
-def test_what_is_opened_has_the_filter_it_had(opened: Opened) -> None:
-    """A run of a batch, or a trial of a tuning, is opened from its scenario with changes of its own."""
-    answers = release.content(opened.version)["answers"]
-    paths = [path for path in answers if re.fullmatch(r"/(runs|batches|tunings)/[\w-]{22}", path)]
-    assert {path.split("/")[1] for path in paths} == {"runs", "batches", "tunings"}
-    for path in paths:
-        scenario = opened.client.get(f"/api/v1{path}").raise_for_status().json()["scenario"]
-        assert scenario["estimation"]["knows_preview"] is (opened.version == "0.4.0"), path
-
-
 def test_a_links_page_tells_what_it_opens(service: Process) -> None:
-    page = service.client.get(f"/s/{release.rows('0.2.0', 'links')[0]['slug']}")
+    page = service.client.get("/s/hBKXejHdSBjCho7R9Q-BsA")
     assert page.status_code == 200
     assert page.headers["content-type"] == "text/html; charset=utf-8"
     assert page.headers["cache-control"] == "no-cache"
     assert page.headers["x-robots-tag"] == "noindex"
     assert "script-src 'self'" in page.headers["content-security-policy"]
-    assert "Ridelab core 0.2.0, 2026-11-22" in page.text
-    assert 'property="og:title" content="LV control against passive: ' in page.text
+    assert "Ridelab core 0.4.0, 2026-11-2" in page.text
+    assert 'property="og:title" content="' in page.text
 
 
 def test_an_unfinished_batch_is_finished(opened: Opened) -> None:
-    job = release.unfinished(opened.version, "batches")
+    job = release.unfinished("batches")
     events = read_events(opened.client, f"/api/v1/batches/{job['id']}/events")
     assert [event["id"] for event in events] == list(range(1, len(events) + 1))
     assert (events[-1]["state"], events[-1]["done"], events[-1]["failed"]) == ("done", job["total"], 0)
     rows = opened.client.get(f"/api/v1/batches/{job['id']}/results").json()["rows"]
     done = {
         row["position"]: row["result_key"]
-        for row in opened.rows("job_runs")
+        for row in release.rows("job_runs")
         if row["job_id"] == job["id"] and row["status"] == "ok"
     }
-    summaries = {row["key"]: json.loads(row["summary"]) for row in opened.rows("results")}
+    summaries = {row["key"]: json.loads(row["summary"]) for row in release.rows("results")}
     assert 0 < len(done) < job["total"] == len(rows)
     for row in rows:
         assert (row["status"], row["road.seed"]) == ("ok", 100 + row["run"])
-        assert row["core_version"] == (opened.version if row["run"] in done else __version__)
+        assert row["core_version"] == (release.VERSION if row["run"] in done else __version__)
         if row["run"] in done:
             assert row["metrics"] == summaries[done[row["run"]]]["metrics"]
 
 
 def test_an_unfinished_tuning_goes_on_to_its_end(opened: Opened) -> None:
     """Its numbers are not mixed with those of today's core: it begins again."""
-    job = release.unfinished(opened.version, "tunings")
+    job = release.unfinished("tunings")
     events = read_events(opened.client, f"/api/v1/tunings/{job['id']}/events")
-    before = [row["kind"] for row in opened.rows("job_events") if row["job_id"] == job["id"]]
-    expected = before if opened.version == __version__ else [*before, "restart"]
+    before = [row["kind"] for row in release.rows("job_events") if row["job_id"] == job["id"]]
+    expected = before if __version__ == release.VERSION else [*before, "restart"]
     assert [event["event"] for event in events[: len(expected)]] == expected
     tuning = opened.client.get(f"/api/v1/tunings/{job['id']}").json()
     assert (tuning["state"], tuning["core_version"], tuning["trials"]["done"]) == ("done", __version__, job["total"])
@@ -305,29 +254,22 @@ def test_an_unfinished_tuning_goes_on_to_its_end(opened: Opened) -> None:
 
 def test_an_unfinished_job_of_the_paper_page_holds_up_nothing(opened: Opened) -> None:
     """Nobody waits for its rows any more: it ends, and whoever opens the page gets a job of today's core."""
-    if opened.version == "0.2.0":
-        return  # it had none
-    job = release.unfinished(opened.version, "reproductions")
+    job = release.unfinished("reproductions")
     with closing(Store(opened.url)) as store:
         wait_until(lambda: (now := store.jobs.load(job["id"])) is None or now.state in FINAL, "it ends")
         page = opened.client.get("/api/v1/paper?seeds=20&first_seed=500&partial=true")
         assert page.raise_for_status().json()["core_version"] == __version__
         new = [each for each in store.jobs.unfinished() if each.kind == "reproduction"]
-        assert len(new) == 1 or opened.version == __version__
+        assert len(new) == 1 or __version__ == release.VERSION
         for each in new:
             store.jobs.cancel(each.id)  # its rows would take a minute
 
 
 def test_what_tunings_submitted_is_not_listed(opened: Opened) -> None:
-    if opened.version == "0.2.0":
-        keys = {row["id"]: row["idempotency_key"] or "" for row in release.content("0.2.0")["tables"]["batches"]}
-        batches, ours = keys.keys(), {job_id for job_id, key in keys.items() if " " not in key}
-        tunings = {row["id"] for row in release.content("0.2.0")["tables"]["tunings"]}
-    else:
-        jobs = opened.rows("jobs")
-        batches = {row["id"]: row for row in jobs if row["kind"] == "sweep"}.keys()
-        ours = {row["id"] for row in jobs if row["kind"] == "sweep" and row["parent_id"] is None}
-        tunings = {row["id"] for row in jobs if row["kind"] == "tuning"}
+    jobs = release.rows("jobs")
+    batches = {row["id"] for row in jobs if row["kind"] == "sweep"}
+    ours = {row["id"] for row in jobs if row["kind"] == "sweep" and row["parent_id"] is None}
+    tunings = {row["id"] for row in jobs if row["kind"] == "tuning"}
     listed = {each["id"] for each in opened.client.get("/api/v1/batches?limit=500").json()["batches"]}
     assert listed & batches == ours
     assert {each["id"] for each in opened.client.get("/api/v1/tunings?limit=500").json()["tunings"]} >= tunings

@@ -14,7 +14,7 @@ from ridelab.cli import jobs
 from ridelab.cli.cars_and_roads import road, vehicle
 from ridelab.cli.cite import cite
 from ridelab.cli.compare import compare
-from ridelab.cli.controller import controller
+from ridelab.cli.controller import controller, hil
 from ridelab.cli.export import export
 from ridelab.cli.fmu import fmu
 from ridelab.cli.frequency import frequency
@@ -26,7 +26,7 @@ from ridelab.cli.paper import paper
 from ridelab.cli.reporting import BROKEN_PIPE, InputError, ReportingGroup, abandon_output
 from ridelab.cli.robustness import robustness
 from ridelab.cli.run import run as run_
-from ridelab.cli.server import backup, demo, open_, serve, verify
+from ridelab.cli.server import backup, demo, open_, serve
 from ridelab.cli.service import with_services
 from ridelab.cli.solve import solve
 from ridelab.cli.sweep import sweep
@@ -87,12 +87,12 @@ COMMANDS = (
     vehicle,
     road,
     controller,
+    hil,
     fmu,
     compare,
     open_,
     export,
     backup,
-    verify,
     check,
     cite,
     *LISTS,
@@ -103,7 +103,7 @@ app.add_typer(JOBS, name="jobs")
 app.add_typer(NEW, name="new")
 for group, commands in ((app, COMMANDS), (JOBS, jobs.COMMANDS)):
     for command in commands:
-        alone = command in (serve, demo, backup, verify, check, cite)
+        alone = command in (serve, demo, backup, check, cite)
         own = command if alone else with_services(command, drives=command in DRIVING)
         group.command(command.__name__.partition("_")[0], cls=Command)(own)
 

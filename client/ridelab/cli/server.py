@@ -1,4 +1,4 @@
-"""`ridelab serve`, `demo`, `backup`, `verify` and `open`: what is installed here, and results in the browser."""
+"""`ridelab serve`, `demo`, `backup` and `open`: what is installed here, and results in the browser."""
 
 import contextlib
 import os
@@ -72,14 +72,6 @@ def backup(
     The copy is a whole database. Nothing is written meanwhile: new runs are refused with Retry-After, batches wait.
     """
     end_as_server("--back-up", str(file), *["--force"] * force, data_dir=data_dir, as_json=as_json)
-
-
-def verify(data_dir: DatabaseDir = None, as_json: options.AsJson = False) -> None:
-    """Read the whole database and say what in it is not as it was written, while a service uses it or while none does.
-
-    The exit code is 1 where something is damaged. A service that starts on it computes damaged results again.
-    """
-    end_as_server("--verify", data_dir=data_dir, as_json=as_json)
 
 
 def open_(

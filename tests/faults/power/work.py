@@ -12,15 +12,18 @@ from pathlib import Path
 import numpy as np
 import orjson
 
+from backend import digest
 from backend.db import sqlite
 from backend.db.database import Database
 from backend.db.tables import metadata
 from backend.job_run import JobRun
-from backend.store import Store, StoredJob, StoredLink
-from sim_core.scenario import Scenario
+from backend.outcome import Outcome
+from backend.store import Store, StoredJob, StoredLink, StoredRun
+from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.measured import MeasuredRoad
-from tests.faults.bits import outcome, stored_run
 from tests.faults.power.disk import note
+
+STRATEGIES = ("lv", "lqr", "passive")
 
 
 def rows(database: Database) -> dict[str, list[str]]:
@@ -38,6 +41,23 @@ def rows(database: Database) -> dict[str, list[str]]:
 def content(database: Database) -> str:
     """A digest of every row."""
     return hashlib.sha256(repr(rows(database)).encode()).hexdigest()
+
+
+def stored_run(scenario: Scenario, rng: np.random.Generator) -> StoredRun:
+    """A run with random results."""
+    return StoredRun(
+        id=digest.run_id(scenario, STRATEGIES),
+        core_version="0.4.0",
+        schema_version=SCHEMA_VERSION,
+        scenario=scenario.model_dump(mode="json"),
+        results=tuple(outcome(digest.result_key(scenario, name), name, rng) for name in STRATEGIES),
+    )
+
+
+def outcome(key: str, strategy: str, rng: np.random.Generator) -> Outcome:
+    """A result with sixty random numbers."""
+    numbers = {f"metric_{index}": value for index, value in enumerate(rng.normal(0, 1, 60).tolist())}
+    return Outcome(key=key, strategy=strategy, status="ok", json=orjson.dumps({"metrics": numbers}), compute_ms=5.0)
 
 
 class Work:

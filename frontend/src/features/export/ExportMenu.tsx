@@ -26,7 +26,7 @@ import { FileFault, SaveMenu, useController, saveAs } from "./FileMenu";
 
 const FORMATS = [
   { format: "csv", label: "CSV" },
-  { format: "json", label: "JSON" },
+  { format: "parquet", label: "Parquet" },
 ] as const;
 
 export function ExportMenu() {

@@ -11,6 +11,7 @@ import { Page, Loading } from "../../ui/Page";
 import { useForm, useSchemeColours, useStrategies } from "../../server/useCatalogues";
 import { BuildReport } from "./BuildReport";
 import { EcuFigures, EcuTable } from "./EcuResults";
+import { RealTime } from "./RealTime";
 import ui from "../../ui/ui.module.css";
 import { Problems } from "../../ui/Messages";
 import { Card, Columns } from "../../ui/Card";
@@ -91,7 +92,12 @@ export function EcuPage() {
           </>
         )
       )}
-      {source.scenario && <BuildReport scenario={source.scenario} />}
+      {source.scenario && (
+        <>
+          <BuildReport scenario={source.scenario} />
+          <RealTime scenario={source.scenario} seconds={summaries.lv_hil?.travel_time ?? undefined} />
+        </>
+      )}
     </Page>
   );
 }
