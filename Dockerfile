@@ -43,7 +43,7 @@ COPY --from=manual /build/build/manual build/manual/
 RUN /opt/ridelab/bin/python -m compileall -q sim_core backend ridelab \
     && mkdir /data \
     && chown 10001:10001 /data
-# The ECU's program as a process, for drives by the clock: /app is read-only later, and /tmp runs no programs.
+# The ECU's program as a process, which counts its operations: /app is read-only later, and /tmp runs no programs.
 RUN mkdir ecu && RIDELAB_ECU_DIR=/app/ecu /opt/ridelab/bin/python -c "from backend.ecu import build; build.program()" \
     && rm -rf ecu/zig
 ENV PATH=/opt/ridelab/bin:$PATH PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 RIDELAB_DATA_DIR=/data RIDELAB_ECU_DIR=/app/ecu

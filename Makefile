@@ -95,7 +95,7 @@ setup: $(VENV)/.runtime $(BIN)/ridelab frontend/dist/index.html build/manual/ind
 development: OMIT :=
 development: setup $(VENV)/.development frontend/node_modules/.development ## and what tests need
 
-compiler: $(VENV)/.ecu ## a C compiler (400 MB), for drives by the clock where the machine has none and for the ECU's own processor
+compiler: $(VENV)/.ecu ## a C compiler (400 MB), for the ECU's own processor, and where the machine has none
 
 $(VENV)/.build: requirements-build.lock
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Ridelab needs Python 3.11 or newer; name one with PYTHON=python3.x")'

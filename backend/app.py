@@ -58,6 +58,7 @@ ROUTERS = (
     links.links,
     paper.paper,
     controller.compilers,
+    controller.withdrawn,
     controller.controller,
     library.library,
     library.data_sheets,

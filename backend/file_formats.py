@@ -1,30 +1,21 @@
-"""The formats in which tables and time histories are answered; Parquet where the extra `parquet` is installed."""
+"""The formats in which tables and time histories are answered."""
 
-from importlib.util import find_spec
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator
+from pydantic import BeforeValidator
 from pydantic_core import PydanticCustomError
 
-NO_PARQUET = "There is no Parquet here: whoever runs this service installs it by pip install pyarrow"
-MEDIA_TYPES = {
-    "json": "application/json",
-    "csv": "text/csv; charset=utf-8; header=present",
-    "parquet": "application/vnd.apache.parquet",
-}
+NO_PARQUET = "The service writes json and csv; ridelab export ID --out FILE.parquet makes Parquet of them"
+MEDIA_TYPES = {"json": "application/json", "csv": "text/csv; charset=utf-8; header=present"}
 BINARY = "application/octet-stream"  # numbers as they are: hardly smaller compressed
 
 
-def has_parquet() -> bool:
-    """Whether its library is installed."""
-    return find_spec("pyarrow") is not None
-
-
-def _available(file_format: str) -> str:
-    if file_format == "parquet" and not has_parquet():
-        raise PydanticCustomError("not_installed", NO_PARQUET)
+def _written(file_format: Any) -> Any:
+    """Refuse the format that earlier versions wrote."""
+    if file_format == "parquet":
+        raise PydanticCustomError("no_parquet", NO_PARQUET)
     return file_format
 
 
-FormatName = Literal["json", "csv", "parquet"]
-FileFormat = Annotated[FormatName, AfterValidator(_available)]
+FormatName = Literal["json", "csv"]
+FileFormat = Annotated[FormatName, BeforeValidator(_written)]

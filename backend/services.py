@@ -141,7 +141,7 @@ def make_services(settings: Settings, workers: Workers) -> Services:
         tunings=TuningService(store=store, batch_workers=batch_workers, gate=gate, settings=settings),
         paper=Paper(rows=PaperRows(store), results=results, gate=gate),
         links=Links(store=store, workers=workers, runs=runs, gate=gate, roads=roads, recordings=recordings),
-        controllers=Controllers(workers=workers, gate=gate, roads=roads, max_request_cost=settings.max_request_cost),
+        controllers=Controllers(workers=workers, gate=gate, roads=roads),
         fmus=Fmus(workers=workers, gate=gate, roads=roads),
         tuning_steps=tuning_steps,
         scheduler=Scheduler(

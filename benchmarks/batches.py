@@ -183,7 +183,7 @@ class _Probes:
 def _exports(client: httpx.Client, batch_id: str) -> None:
     path = f"/api/v1/batches/{batch_id}"
     rows: list[list[Any]] = []
-    for name in ("json", "csv", "parquet"):
+    for name in ("json", "csv"):
         taken, answer = timed(client, "GET", f"{path}/results", params={"format": name})
         rows.append([f"results as {name}", taken, len(answer.content) / 2**20])
     taken, answer = timed(client, "GET", f"{path}/table", params={"figures": "bump.body_acceleration.peak"})

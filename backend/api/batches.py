@@ -91,7 +91,7 @@ async def resume_batch(job_id: jobs.JobId, service: Service, owner: Caller) -> R
     "/batches/{id}/results",
     operation_id="getBatchResults",
     response_model=BatchResults,
-    responses={200: {"content": {"text/csv": {}, MEDIA_TYPES["parquet"]: {}}}},
+    responses={200: {"content": {"text/csv": {}}}},
 )
 async def get_batch_results(
     job_id: jobs.JobId,

@@ -1,4 +1,4 @@
-"""The controller as an ECU's program: its C sources, whether they fit a part, a drive by the clock; and as an FMU."""
+"""The controller as an ECU's program: its C sources and whether they fit a part; and as an FMU."""
 
 from typing import Annotated
 
@@ -9,6 +9,7 @@ from backend.api.deps import Client, service
 from backend.ecu import models
 from backend.ecu.export import FOLDER
 from backend.ecu.service import Controllers
+from backend.errors import GoneError
 from backend.fmu.models import FmuRequest
 from backend.fmu.service import Fmus
 from backend.http.answers import json_answer
@@ -16,9 +17,16 @@ from backend.http.routing import ReadingRoute, ScenarioRoute
 
 controller = router("controller", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
 compilers = router("controller", route_class=ReadingRoute)
+withdrawn = router("controller", 410, route_class=ReadingRoute)
 
 ControllersService = Annotated[Controllers, service(lambda services: services.controllers)]
 FmusService = Annotated[Fmus, service(lambda services: services.fmus)]
+
+NO_CLOCK = (
+    "There is no drive by the clock any more: an ordinary system's times say nothing about an ECU. "
+    "POST /api/v1/controller/report has a step's time on the ECU's own processor; "
+    "hil.jitter and hil.packet_loss of a scenario show what late and lost answers do."
+)
 
 
 @controller.post(
@@ -36,7 +44,7 @@ async def export_controller(body: models.ControllerRequest, service: Controllers
 
 @compilers.get("/controller/compilers", operation_id="getCompilers", response_model=models.Compilers)
 async def get_compilers(service: ControllersService) -> Response:
-    """Whether the ECU's program can be built here, known before a report or a drive by the clock is asked for."""
+    """Whether the ECU's program can be built here, known before a report is asked for."""
     return json_answer(service.compilers())
 
 
@@ -46,10 +54,10 @@ async def report_controller(body: models.ControllerRequest, service: Controllers
     return json_answer(await service.report(body.scenario, client))
 
 
-@controller.post("/controller/realtime", operation_id="driveByClock", response_model=models.RealtimeReport)
-async def drive_by_clock(body: models.ControllerRequest, service: ControllersService, client: Client) -> Response:
-    """Drive it once by the clock: latency, jitter, missed deadlines; takes as long as the drive, one at a time."""
-    return json_answer(await service.drive_by_clock(body.scenario, client))
+@withdrawn.post("/controller/realtime", operation_id="driveByClock", deprecated=True)
+async def drive_by_clock() -> Response:
+    """Nothing any more: always 410, with what to use instead."""
+    raise GoneError(NO_CLOCK, kind="withdrawn")
 
 
 @controller.post(

@@ -165,7 +165,7 @@ async def get_changes(
     "/runs/{id}/series",
     operation_id="getSeries",
     response_model=models.Series | models.SeriesOfSeveral,
-    responses={200: {"content": {"text/csv": {}, MEDIA_TYPES["parquet"]: {}}}, **NOT_CHANGED},
+    responses={200: {"content": {"text/csv": {}}}, **NOT_CHANGED},
 )
 async def get_series(
     run_id: RunId,

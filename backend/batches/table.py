@@ -1,10 +1,8 @@
 """Batches as tables: a row for each run, units in the header, built page by page so that memory stays flat."""
 
-import asyncio
 import itertools
 from collections.abc import AsyncIterator, Awaitable, Callable, Mapping, Sequence
 from functools import partial
-from importlib import import_module
 from pathlib import Path
 from typing import IO, Any
 
@@ -58,13 +56,6 @@ async def as_csv(batch: StoredJob, pages: Pages, call: Call) -> AsyncIterator[by
         yield await call(rendering.as_csv, rows, batch.id, fields)
 
 
-async def as_parquet(batch: StoredJob, pages: Pages, call: Call) -> AsyncIterator[bytes]:
-    """The table as Parquet; the first one imports pyarrow, in a thread: it takes a while."""
-    parquet = await asyncio.to_thread(import_module, "backend.batches.parquet")
-    async for piece in parquet.pieces(batch, column_names(batch), units(batch), pages, call):
-        yield piece
-
-
 def column_names(batch: StoredJob) -> dict[str, str]:
     """The columns of a file by key, each with the name it has there: `road.length [m]`."""
     unit_of = units(batch)
@@ -75,7 +66,6 @@ def column_names(batch: StoredJob) -> dict[str, str]:
 RENDERERS: Mapping[FormatName, Callable[[StoredJob, Pages, Call], AsyncIterator[bytes]]] = {
     "json": as_json,
     "csv": as_csv,
-    "parquet": as_parquet,
 }
 
 

@@ -78,29 +78,4 @@ class ControllerReport(Answer):
 class Compilers(Answer):
     """Why the ECU's program cannot be built here, and the remedy; null where nothing is known to be missing."""
 
-    report: str | None = Field(description="For the report, which needs one for the part's processor too")
-    realtime: str | None = Field(description="For the drive by the clock")
-
-
-class Times(Answer):
-    """Times [s] with a histogram: `counts[i]` lie between `edges[i]` and `edges[i + 1]`; those outside at the ends."""
-
-    mean: float
-    deviation: float
-    median: float
-    percentile_99: float
-    most: float
-    edges: list[float]
-    counts: list[int]
-
-
-class RealtimeReport(Answer):
-    """A drive by the clock of this machine, an ordinary operating system: not a control unit's figures."""
-
-    steps: int
-    deadline: float = Field(description="The sample time [s]")
-    misses: int = Field(description="Answers that came after it: the actuators held the last command")
-    latency: Times | None = Field(description="From frame to answer, where it was in time; null where none was")
-    wake_up: Times = Field(description="How late the plant itself was woken: jitter")
-    computing: Times | None = Field(description="The program's own time for a step")
-    changes: ChangesByWindow = Field(description="Against the same drive in lock-step [%], by window and signal")
+    report: str | None = Field(description="For the report, which needs one for the part's processor")

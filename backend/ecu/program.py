@@ -7,7 +7,7 @@ from pathlib import Path
 
 from backend.cost import affordable
 from backend.ecu.link import connected
-from backend.ecu.realtime import changes
+from backend.ecu.report import changes
 from sim_core import Scenario, simulate
 from sim_core.strategies.lv_hil import LvHil
 

@@ -10,10 +10,10 @@ from backend.ecu import effort, firmware
 from backend.ecu.build import EcuError
 from backend.ecu.effort import STM32F103
 from backend.ecu.link import connected
-from backend.ecu.models import ControllerPart, ControllerReport, ControllerRow, Operations, StepTime
-from backend.ecu.realtime import changes
+from backend.ecu.models import ChangesByWindow, ControllerPart, ControllerReport, ControllerRow, Operations, StepTime
 from backend.errors import EcuUnavailableError
 from sim_core import Scenario, StrategyResult, simulate
+from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
 from sim_core.ecu.calibration import Calibration, Checked
 from sim_core.ecu.interface import Ecu
 from sim_core.strategies.calibration import ecu_calibration
@@ -126,3 +126,16 @@ def _reasons(linked: firmware.Image, most: float, sample_time: float, part: Cont
     if most > sample_time:
         reasons.append(f"the longest step takes about {1000 * most:.3g} ms of {1000 * sample_time:.3g} ms")
     return reasons
+
+
+def changes(result: StrategyResult, base: StrategyResult) -> ChangesByWindow:
+    """Return the changes of Tables 9 and 10's metrics against a base, by window and signal [%]; None against zero."""
+
+    def change(window: str, signal: str, statistic: str) -> float | None:
+        new, old = (each.metrics[window][signal][statistic] for each in (result, base))
+        return (new / old - 1) * 100 if old else None
+
+    return {
+        window: {signal: change(window, signal, statistic) for signal in PAPER_SIGNALS}
+        for window, statistic in PAPER_VIEWS
+    }

@@ -65,7 +65,7 @@ class RunCurves:
             points=points,
             file_format=file_format,
             encoding=encoding,
-            provenance={"run": stored.id, "core_version": stored.core_version},
+            core_version=stored.core_version,
             sources={name: source for name in names if (source := stored.by_strategy[name][0].summary.get("source"))},
         )
         return await self.histories.exported(stored, {name: keys[name] for name in names}, export, client)

@@ -1,4 +1,4 @@
-"""Time histories of a run as a file: JSON, CSV or Parquet; pinned, or simulated again; in a worker.
+"""Time histories of a run as a file, JSON or CSV; pinned, or simulated again; in a worker.
 
 Strategy after strategy is driven and written, some samples at a time: the text never stands in memory as a whole.
 """
@@ -25,7 +25,7 @@ from sim_core.scenario import Scenario
 
 AT_ONCE = 10_000  # samples of a table
 # Of one value, about [bytes]; text of float32.
-VALUE_BYTES = {"csv": 12.0, "json": 12.0, "parquet": 5.0}
+VALUE_BYTES = 12.0
 BASE64_BYTES = 16 / 3  # four bytes become 16/3 characters (RFC 4648, section 4)
 NAME_BYTES = 16  # of a strategy in each row of CSV [bytes]
 BYTE_COST = 2e-8  # of one byte [s of one core]
@@ -55,8 +55,8 @@ class Export:
         strategies: Ids, in the order they come out.
         signals: Keys, in the catalogue's order.
         points: At most how many samples of each strategy, None for all.
-        provenance: Where they come from, kept in the file where its format has a place for it.
-        sources: By id of a controller of one's own its file and digest, kept likewise.
+        core_version: Of the core that made them, kept in JSON.
+        sources: The file and digest of each custom controller by its id, kept likewise.
     """
 
     strategies: Sequence[str]
@@ -64,7 +64,7 @@ class Export:
     points: int | None
     file_format: FormatName
     encoding: Literal["list", "base64"]
-    provenance: Mapping[str, str]
+    core_version: str
     sources: Mapping[str, JsonObject]
 
     def size(self, samples: Iterable[int]) -> float:
@@ -77,7 +77,7 @@ class Export:
 
 def value_bytes(file_format: str, encoding: str) -> float:
     """About how long one value is in a file of that format [bytes]."""
-    return BASE64_BYTES if (file_format, encoding) == ("json", "base64") else VALUE_BYTES[file_format]
+    return BASE64_BYTES if (file_format, encoding) == ("json", "base64") else VALUE_BYTES
 
 
 def rows(samples: Iterable[int], points: int | None) -> int:
@@ -117,7 +117,7 @@ def _pinned(content: bytes, stages: SamplingHints, points: int | None) -> Column
 
 
 def _write(members: Members, export: Export, file: IO[bytes]) -> None:
-    {"json": _write_json, "csv": _write_csv, "parquet": _write_parquet}[export.file_format](members, export, file)
+    {"json": _write_json, "csv": _write_csv}[export.file_format](members, export, file)
 
 
 def _write_json(members: Members, export: Export, file: IO[bytes]) -> None:
@@ -133,7 +133,7 @@ def _write_json(members: Members, export: Export, file: IO[bytes]) -> None:
     else:
         content = {"strategies": bodies}
     units = {key: SIGNALS[key].unit for key in export.signals}
-    head = {"core_version": export.provenance["core_version"], "sources": export.sources, "units": units}
+    head = {"core_version": export.core_version, "sources": export.sources, "units": units}
     write_json({**head, **content}, file)
 
 
@@ -147,15 +147,6 @@ def _write_csv(members: Members, export: Export, file: IO[bytes]) -> None:
         # A list of rows as JSON has the same numbers; what is none is null there, and an empty cell here, and 5 is 5.0.
         text = _WHOLE.sub(b"", orjson.dumps(np.column_stack(samples), option=orjson.OPT_SERIALIZE_NUMPY))[2:-2]
         file.write(begin + text.replace(b"null", b"").replace(b"],[", b"\n" + begin) + b"\n")
-
-
-def _write_parquet(members: Members, export: Export, file: IO[bytes]) -> None:
-    from backend.runs import parquet
-
-    columns = {key: column_name(key) for key in export.signals}
-    with_strategy = len(export.strategies) > 1
-    provenance = {**export.provenance, "sources": orjson.dumps(export.sources).decode()}
-    parquet.write(_tables(members, export), columns, provenance, file, with_strategy=with_strategy)
 
 
 def column_name(key: str) -> str:

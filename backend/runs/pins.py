@@ -3,11 +3,12 @@
 A pin is the line `ridelab pin 1`, a line of JSON (`units` by signal in the order of the rows, `strategy`,
 `core_version`), and by zlib the samples row by row: of each row all first bytes, then the second, third and fourth.
 A later catalogue of signals takes from an old pin what it still knows. Pins of versions until 0.3.0 are Parquet, which
-needs the extra `parquet`. Runs in worker processes; why this format: docs/decisions/0031-parquet-is-an-extra.md.
+needs the extra `parquet`. Runs in worker processes; why this format: docs/decisions/0063-the-client-makes-parquet.md.
 """
 
 import zlib
 from collections.abc import Mapping, Sequence
+from importlib.util import find_spec
 from types import ModuleType
 
 import numpy as np
@@ -15,7 +16,6 @@ import orjson
 
 from backend.cost.affordable import simulate
 from backend.errors import ServiceError
-from backend.file_formats import NO_PARQUET, has_parquet
 from backend.runs.series import ROWS, SamplingHints, SeriesArray, decimate, pack_all
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import SIGNALS
@@ -24,6 +24,10 @@ from sim_core.scenario import Scenario
 LEVEL = 1  # of zlib; 6 takes half as long again for 3 %
 MAGIC, PARQUET = b"ridelab pin 1\n", b"PAR1"  # how pins begin
 FLOAT = np.dtype("<f4")
+NO_READER = (
+    "The time histories of this link are stored as Parquet: whoever runs this service installs what reads them by "
+    "pip install pyarrow"
+)
 
 
 class ParquetPinError(ServiceError):
@@ -85,8 +89,8 @@ def _parquet() -> ModuleType:
     Raises:
         ParquetPinError: It is not installed.
     """
-    if not has_parquet():
-        raise ParquetPinError(f"The time histories of this link are stored as Parquet. {NO_PARQUET}")
+    if find_spec("pyarrow") is None:
+        raise ParquetPinError(NO_READER)
     from backend.runs import parquet
 
     return parquet

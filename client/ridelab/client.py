@@ -223,10 +223,6 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
         """Whether that controller fits a small microcontroller, and what does; takes about ten seconds."""
         return self._post("/controller/report", {"scenario": scenario})
 
-    def realtime(self, scenario: Scenario) -> dict[str, Any]:
-        """One drive by the clock: latency, jitter, missed deadlines; takes as long as the drive."""
-        return self._post("/controller/realtime", {"scenario": scenario})
-
     def link(self, result: RunResult | Job, view: Mapping[str, Any] | None = None) -> Link:
         """A new link that shares a run or a batch, and how the page shows it."""
         body: dict[str, Any] = {"run_id" if isinstance(result, RunResult) else "batch_id": result.id}

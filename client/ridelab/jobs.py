@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from ridelab.connection import Connection, comma_separated
 from ridelab.errors import JobEndedError, JobTimeoutError, RidelabAPIError, RidelabConnectionError
-from ridelab.files import format_of, save
+from ridelab.files import format_of, save, table_in
 from ridelab.http import Http
 from ridelab.notebooks import needed
 from ridelab.requirements import RequirementResult
@@ -230,6 +230,9 @@ class Batch(Job):
 
     def content(self, file_format: str) -> Iterator[bytes]:
         """Its results as the bytes of a `csv`, `parquet` or `json` file, piece by piece."""
+        return table_in(file_format, self._results)
+
+    def _results(self, file_format: str) -> Iterator[bytes]:
         with self._http.stream(self._path("/results"), params={"format": file_format}) as response:
             yield from response.iter_bytes()
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ridelab.connection import Connection, comma_separated
-from ridelab.files import format_of, save
+from ridelab.files import format_of, save, table_in
 from ridelab.notebooks import unpacked
 from ridelab.results import RunResult, intervals, quoted_id
 
@@ -99,7 +99,8 @@ class RunMethods(Connection):
 
         `selection` has `strategies`, their ids, and perhaps `signals` and `points` as for `series`.
         """
-        return self._content(f"/runs/{quoted_id(run)}/series", {**_series(**selection), "format": file_format})
+        address, asked = f"/runs/{quoted_id(run)}/series", _series(**selection)
+        return table_in(file_format, lambda kind: self._content(address, {**asked, "format": kind}))
 
     def download_series(
         self, run: RunResult | str, path: str | os.PathLike[str], *, file_format: str | None = None, **selection: Any

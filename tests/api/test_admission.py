@@ -194,9 +194,9 @@ def test_downloads_tables_figures_and_reports_count_like_runs(service: Any, run:
     paths = [
         f"roads/{road.json()['id']}",
         f"roads/{road.json()['id']}?format=csv",
-        *(f"batches/{batch['id']}/results?format={each}" for each in ("json", "csv", "parquet")),
+        *(f"batches/{batch['id']}/results?format={each}" for each in ("json", "csv")),
         f"batches/{batch['id']}/table",
-        *(f"runs/{run['id']}/series?strategy=lv&format={each}" for each in ("json", "csv", "parquet")),
+        *(f"runs/{run['id']}/series?strategy=lv&format={each}" for each in ("json", "csv")),
         f"runs/{run['id']}/figures",
         f"runs/{run['id']}/figures/speed",
         f"runs/{run['id']}/report.html",

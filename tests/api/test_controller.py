@@ -1,24 +1,17 @@
-"""The ECU's program over HTTP: `lv_hil` in runs and batches, its sources, its fit, a drive by the clock."""
+"""The ECU's program over HTTP: `lv_hil` in runs and batches, its sources, its fit."""
 
-import asyncio
 import io
-import threading
-import time
 import zipfile
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from typing import Any
 
 import httpx
 import psutil
 import pytest
 
-from backend.ecu.models import ControllerReport, RealtimeReport
-from backend.ecu.realtime import drive_by_clock
+from backend.ecu.models import ControllerReport
 from ridelab import Ridelab
 from sim_core.scenario import Scenario
 from tests.api.conftest import Service
-from tests.servers.process import HANG_TIMEOUT
 
 SMALL: dict[str, Any] = {
     "road": {"length": 20, "bump": {"start": 10, "width": 3, "height": 0.05}},
@@ -56,57 +49,15 @@ def test_the_archive_is_complete_and_the_same_every_time(service: Service) -> No
     assert scenario == Scenario.model_validate(SMALL)
 
 
-@dataclass(frozen=True)
-class Driven:
-    """A drive by the clock: its report, how long it took [s], and the answer to who asked for a report meanwhile."""
-
-    report: dict[str, Any]
-    seconds: float
-    meanwhile: httpx.Response
+def test_the_drive_by_the_clock_is_withdrawn_and_says_what_to_use(service: Service) -> None:
+    answer = post(service, "/realtime")
+    assert (answer.status_code, answer.json()["type"]) == (410, "urn:problem-type:ridelab:withdrawn")
+    assert "/api/v1/controller/report" in answer.json()["detail"]
 
 
-@pytest.fixture(scope="module")
-def driven(service: Service) -> Driven:
-    workers, begun, may_drive = service.services.workers, threading.Event(), threading.Event()
-    original = workers.call
-
-    async def held(function: Any, *arguments: Any, **options: Any) -> Any:
-        if function is drive_by_clock:
-            begun.set()
-            await asyncio.to_thread(may_drive.wait)
-        return await original(function, *arguments, **options)
-
-    with (
-        pytest.MonkeyPatch.context() as patch,
-        ThreadPoolExecutor(1) as thread,
-        Ridelab(str(service.base_url)) as ridelab,
-    ):
-        patch.setattr(workers, "call", held)
-        drive = thread.submit(ridelab.realtime, SMALL)
-        assert begun.wait(HANG_TIMEOUT)
-        meanwhile, begin = post(service, "/report"), time.monotonic()
-        may_drive.set()
-        return Driven(report=drive.result(), seconds=time.monotonic() - begin, meanwhile=meanwhile)
-
-
-def test_a_drive_by_the_clock_takes_as_long_as_the_drive(driven: Driven) -> None:
-    report = driven.report
-    RealtimeReport.model_validate(report, strict=True)
-    assert driven.seconds > report["steps"] * report["deadline"]
-    assert report["steps"] > 150
-    in_time = sum(report["latency"]["counts"]) if report["latency"] else 0
-    assert in_time + report["misses"] == report["steps"] == sum(report["wake_up"]["counts"])
-
-
-def test_one_at_a_time(driven: Driven) -> None:
-    assert driven.meanwhile.status_code == 429
-    assert int(driven.meanwhile.headers["retry-after"]) > 0
-
-
-@pytest.mark.usefixtures("driven")
 def test_the_report_has_the_scenarios_own_controller_first(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
     answer = post(service, "/report")
-    assert answer.status_code == 200, "the drive has ended"
+    assert answer.status_code == 200
     ControllerReport.model_validate(answer.json(), strict=True)
     rows = answer.json()["rows"]
     assert (rows[0]["prediction_horizon"], rows[0]["control_horizon"], rows[0]["checked"]) == (6, 3, "all")
@@ -117,9 +68,3 @@ def test_the_report_has_the_scenarios_own_controller_first(service: Service, mon
         assert row["fits"] == (not row["reasons"])
     monkeypatch.setattr(service.services.workers, "call", None)
     assert post(service, "/report").json() == answer.json(), "it is not made again"
-
-
-def test_a_drive_that_would_take_too_long_is_refused(service: Service) -> None:
-    answer = post(service, "/realtime", {"road": {"length": 1500}})
-    assert answer.status_code == 422
-    assert "at most 60 s" in answer.json()["detail"]

@@ -69,7 +69,7 @@ def histories(client: httpx.Client, run_id: str) -> dict[str, bytes]:
         "series?strategy=lv,passive",
         "series?strategy=lv&points=300&encoding=base64",
         "series?strategy=passive&format=csv&signals=speed",
-        "series?strategy=lv,passive&format=parquet&points=500",
+        "series?strategy=lv,passive&format=csv&points=500",
         "figures",
         "figures/speed?x=time",
     ):

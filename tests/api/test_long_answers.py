@@ -50,7 +50,7 @@ def both(client: httpx.Client, monkeypatch: pytest.MonkeyPatch, path: str, **que
     return answers
 
 
-@pytest.mark.parametrize("query", [{"format": "csv"}, {"format": "parquet"}, {"encoding": "base64"}, {"points": 500}])
+@pytest.mark.parametrize("query", [{"format": "csv"}, {"encoding": "base64"}, {"points": 500}])
 def test_time_histories_are_the_same(
     client: httpx.Client, run: dict[str, Any], monkeypatch: pytest.MonkeyPatch, query: dict[str, Any]
 ) -> None:

@@ -3,12 +3,10 @@
 import csv
 import json
 from collections.abc import Iterator
-from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 import pytest
-from pyarrow.parquet import read_schema
 from pythonfmu.builder import FmuBuilder
 
 from backend.custom_controllers import registry, watch
@@ -158,8 +156,6 @@ def test_whatever_leaves_names_the_laws_file_and_digest(service: Service, folder
     assert f"harder.py, <code>{source['digest']}</code>" in service.get(f"{address}/report.html").text
     asked: dict[str, str | int] = {"strategy": ",".join(strategies), "points": 9}
     assert service.get(f"{address}/series", params=asked).json()["sources"] == {"harder": source}
-    parquet = service.get(f"{address}/series", params={**asked, "format": "parquet"}).content
-    assert json.loads(read_schema(BytesIO(parquet)).metadata[b"ridelab.sources"]) == {"harder": source}
     sweep = {"grid": {"road.bump.height": [0.06]}}
     batch = computed(service, scenario=SCENARIO, strategies=strategies, sweep=sweep)
     results = f"/api/v1/batches/{batch['id']}/results"

@@ -11,7 +11,7 @@ from typing import Any
 import httpx
 import pytest
 
-from backend.ecu.build import NO_COMPILER, NO_CROSS_COMPILER
+from backend.ecu.build import NO_CROSS_COMPILER
 from backend.paper import models
 from backend.store import Store
 from tests.client.cli import Cli
@@ -53,7 +53,7 @@ def command(bare: httpx.Client, capfdbinary: pytest.CaptureFixture[bytes], monke
 
 def test_what_is_missing_is_known_before_anything_is_asked_for(bare: httpx.Client) -> None:
     missing = bare.get("/api/v1/controller/compilers").raise_for_status().json()
-    assert missing == {"report": NO_CROSS_COMPILER, "realtime": NO_COMPILER}
+    assert missing == {"report": NO_CROSS_COMPILER}
 
 
 def test_a_run_needs_none(bare: httpx.Client) -> None:
@@ -61,28 +61,17 @@ def test_a_run_needs_none(bare: httpx.Client) -> None:
     assert {name: each["status"] for name, each in run["strategies"].items()} == {"lv_hil": "ok", "passive": "ok"}
 
 
-@pytest.mark.parametrize(
-    ("path", "arguments", "sentence"),
-    [
-        ("/report", ("controller", "--report"), NO_CROSS_COMPILER),
-        ("/realtime", ("hil",), NO_COMPILER),
-    ],
-    ids=["report", "clock"],
-)
-def test_what_is_measured_is_refused_at_once(
-    bare: httpx.Client, command: Cli, tmp_path: Path, path: str, arguments: tuple[str, ...], sentence: str
-) -> None:
+def test_what_is_measured_is_refused_at_once(bare: httpx.Client, command: Cli, tmp_path: Path) -> None:
     """Nobody is asked to wait: the client would, and then ask again for nothing."""
-    answer = bare.post(f"/api/v1/controller{path}", json={"scenario": SCENARIO})
+    answer = bare.post("/api/v1/controller/report", json={"scenario": SCENARIO})
     problem = answer.json()
     assert (answer.status_code, problem["type"]) == (503, "urn:problem-type:ridelab:ecu-unavailable")
-    assert problem["detail"] == f"{sentence}."
+    assert problem["detail"] == f"{NO_CROSS_COMPILER}."
     assert "retry-after" not in answer.headers
     scenario = tmp_path / "scenario.json"
     scenario.write_text(json.dumps(SCENARIO))
-    name, *options = arguments
-    assert not command(name, scenario, *options, code=3)
-    assert f"{sentence}. (request " in command.error
+    assert not command("controller", scenario, "--report", code=3)
+    assert f"{NO_CROSS_COMPILER}. (request " in command.error
 
 
 def test_of_the_paper_the_simulated_cells_stand(bare: httpx.Client, command: Cli) -> None:

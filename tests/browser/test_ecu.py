@@ -1,18 +1,16 @@
-"""The ECU page: what the loop changes, whether the program fits, a drive by the clock, the sources."""
+"""The ECU page: what the loop changes, whether the program fits, the sources."""
 
 import re
 import zipfile
 from pathlib import Path
 from typing import Any
 
-import pytest
 from playwright.sync_api import Page
 
 from tests.browser.dashboard import LAPTOP, WINDOWS, Dashboard, expect
 from tests.browser.server import Server
 
 SIGNALS = ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_tyre_load")
-# Two to three seconds by the clock.
 SHORT = {
     "road": {"length": 40, "bump": {"start": 20, "height": 0.05}},
     "speed": {"initial_speed_kmh": 80, "target_speed_kmh": 80, "detection_distance": 15},
@@ -113,24 +111,3 @@ def test_the_loop_is_held_to_the_rule_the_report_says_what_fits_and_the_controll
     with zipfile.ZipFile(tmp_path / "here.zip") as archive:
         assert archive.testzip() is None
         assert {"ridelab-controller/Makefile", "ridelab-controller/ridelab_controller.c"} <= set(archive.namelist())
-
-
-@pytest.mark.thorough
-def test_a_drive_by_the_clock(dashboard: Dashboard, server: Server) -> None:
-    page = dashboard.page
-    page.goto(f"/ecu?run={run(server, SHORT)['id']}")
-    card = page.get_by_role("region", name="In real time")
-    expect(card).to_contain_text("An ordinary operating system wakes both sides")
-    expect(page.get_by_test_id("hil-count")).to_be_visible()
-    with page.expect_response("**/controller/realtime") as answer, dashboard.held("**/controller/realtime"):
-        card.get_by_role("button", name="Drive in real time").click()
-        expect(card.get_by_role("progressbar", name="Driven")).to_be_visible()
-    report = answer.value.json()
-    misses = report["misses"]
-    expected = "No deadline missed" if misses == 0 else f"{misses} deadline{'' if misses == 1 else 's'} missed"
-    expect(page.get_by_test_id("misses")).to_have_text(f"{expected} in {report['steps']} steps")
-    expect(card.locator(".barlayer .point")).to_have_count(len(report["latency"]["counts"]))
-    card.get_by_text("Computing", exact=True).last.click()
-    expect(card.get_by_role("img", name="Histogram of computing")).to_be_visible()
-    page.get_by_label("Scenario", exact=True).select_option("preset paper")
-    expect(card).to_contain_text("The scenario has changed since")

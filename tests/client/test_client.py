@@ -1,11 +1,14 @@
 """What the client makes of answers: typed results, intervals, arrays, errors."""
 
 import base64
+import io
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from pyarrow import parquet
 
 from ridelab import Interval, Ridelab, RidelabAPIError
 from ridelab.connection import comma_separated
@@ -53,6 +56,31 @@ def test_a_scenario_is_a_preset_with_named_fields_changed(ridelab: Ridelab) -> N
     ):
         with pytest.raises(ValueError, match=message):
             ridelab.scenario(*wrong)
+
+
+@pytest.mark.parametrize(
+    ("path", "of"),
+    [
+        (f"GET /runs/{RUN}/series", lambda ridelab: ridelab.series_content(RUN, "parquet", strategies=["lv"])),
+        (f"GET /batches/{RUN}/results", lambda ridelab: ridelab.get_batch(RUN).content("parquet")),
+    ],
+    ids=["time histories", "rows"],
+)
+def test_parquet_is_made_of_csv_with_its_units(
+    ridelab: Ridelab, prepared: Prepared, path: str, of: Callable[[Ridelab], Iterable[bytes]]
+) -> None:
+    """Whole numbers of a quantity are numbers like the others, and an empty column is one of texts."""
+    prepared.answers[f"GET /batches/{RUN}"] = {"id": RUN, "state": "done"}
+    prepared.answers[path] = b"strategy,speed [m/s],front_force [N],reason\nlv,13.5,0,\nlv,,2,\n"
+    table = parquet.read_table(io.BytesIO(b"".join(of(ridelab))))
+    assert table.to_pydict() == {
+        "strategy": ["lv", "lv"],
+        "speed [m/s]": [13.5, None],
+        "front_force [N]": [0.0, 2.0],
+        "reason": [None, None],
+    }
+    assert [str(field.type) for field in table.schema] == ["string", "double", "double", "string"]
+    assert table.schema.field("speed [m/s]").metadata == {b"unit": b"m/s"}
 
 
 def test_the_address_may_come_from_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:

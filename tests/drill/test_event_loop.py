@@ -74,7 +74,7 @@ def sweeps(api: Api) -> None:
     get(api, f"/batches/{batch}/events")
     get(api, f"/batches/{batch}/summary", baseline="passive")
     get(api, f"/batches/{batch}/table")
-    for kind in ("csv", "json", "parquet"):
+    for kind in ("csv", "json"):
         get(api, f"/batches/{batch}/results", format=kind)
 
 

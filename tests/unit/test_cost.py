@@ -29,7 +29,7 @@ from backend.cost.estimate import (
     references,
     work,
 )
-from backend.ecu import program, realtime, report
+from backend.ecu import program, report
 from backend.job_run import JobRun
 from backend.runs import bands, compute_run, exports, pins
 from sim_core import STRATEGIES, PredictiveController, simulate
@@ -46,7 +46,7 @@ ENDLESS = Scenario(
     mpc=Mpc(sample_time=0.002, prediction_horizon=200, control_horizon=100),
 )
 EXPORT = exports.Export(
-    strategies=["lv"], signals=["time"], points=None, file_format="csv", encoding="list", provenance={}, sources={}
+    strategies=["lv"], signals=["time"], points=None, file_format="csv", encoding="list", core_version="", sources={}
 )
 BACKEND = Path(compute_run.__file__).parents[1]
 
@@ -185,13 +185,12 @@ def test_a_run_with_too_many_steps_ends_before_it_begins(strategy: str) -> None:
     "compute",
     [
         lambda path: report.report(ENDLESS),
-        lambda path: realtime.drive_by_clock(ENDLESS),
         lambda path: program.driven(ENDLESS, path),
         lambda path: exports.render(ENDLESS, EXPORT, None),
         lambda path: pins.make(ENDLESS, ["lv"]),
         lambda path: bands.drive([ENDLESS], "lv", (path, 0), path),
     ],
-    ids=["controller report", "drive by the clock", "own program", "export", "pinned series", "series over roads"],
+    ids=["controller report", "own program", "export", "pinned series", "series over roads"],
 )
 def test_all_that_simulates_refuses_it(compute: Callable[[Path], object], tmp_path: Path) -> None:
     """Runs, solve and links: `compute_run`; batches, tunings, robustness and the paper: `compute_chunk`; below."""
@@ -230,10 +229,9 @@ def test_nothing_simulates_past_the_check() -> None:
         if "simulate" in [alias.name for alias in node.names]
     }
     assert takers == {
-        "controller/program.py",
-        "controller/realtime.py",
-        "controller/report.py",
         "cost/affordable.py",
+        "ecu/program.py",
+        "ecu/report.py",
         "paper/paper_rows.py",
     }
 

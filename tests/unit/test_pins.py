@@ -33,8 +33,7 @@ def stages() -> dict[str, SamplingHints]:
 
 def export(**change: Any) -> exports.Export:
     settings = {"strategies": ["lv", "passive"], "signals": list(SIGNALS), "points": None, "encoding": "list"}
-    provenance = {"run": "a", "core_version": "b"}
-    return exports.Export(**{**settings, "provenance": provenance, "sources": {}, **change})
+    return exports.Export(**{**settings, "core_version": "b", "sources": {}, **change})
 
 
 def test_a_pin_is_every_sample_bit_for_bit(pinned: dict[str, bytes], stages: dict[str, SamplingHints]) -> None:
@@ -85,10 +84,10 @@ def test_another_catalogue_reads_what_it_knows(stages: dict[str, SamplingHints],
     assert text.splitlines()[0].split(",") == [f"{key} [{SIGNALS[key].unit}]" for key in shared]
 
 
-def test_without_parquet_an_old_pin_says_what_to_install(
+def test_without_its_reader_an_old_pin_says_what_to_install(
     stages: dict[str, SamplingHints], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     old = rewritten({"time": np.zeros(3, np.float32)}, {"time": "s"})
-    monkeypatch.setattr(pins, "has_parquet", lambda: False)
+    monkeypatch.setattr(pins, "find_spec", lambda name: None)
     with pytest.raises(pins.ParquetPinError, match="pip install pyarrow"):
         pins.opened({"lv": old}, stages, None)

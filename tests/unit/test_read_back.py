@@ -82,7 +82,7 @@ def test_a_runs_own_export_has_its_own_metrics(name: str, strategy: str) -> None
         points=None,
         file_format="csv",
         encoding="list",
-        provenance={},
+        core_version="",
         sources={},
     )
     found = recorded_result(scenario, reading.read(exports.render(scenario, export, None), {}).drive)

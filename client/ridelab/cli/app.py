@@ -14,7 +14,7 @@ from ridelab.cli import jobs
 from ridelab.cli.cars_and_roads import road, vehicle
 from ridelab.cli.cite import cite
 from ridelab.cli.compare import compare
-from ridelab.cli.controller import controller, hil
+from ridelab.cli.controller import controller
 from ridelab.cli.export import export
 from ridelab.cli.fmu import fmu
 from ridelab.cli.frequency import frequency
@@ -87,7 +87,6 @@ COMMANDS = (
     vehicle,
     road,
     controller,
-    hil,
     fmu,
     compare,
     open_,

@@ -1,4 +1,4 @@
-"""`ridelab controller` and `ridelab hil`: LV's controller as an ECU's program."""
+"""`ridelab controller`: LV's controller as an ECU's program."""
 
 import json
 from collections.abc import Mapping
@@ -8,7 +8,6 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import fields, options
-from ridelab.cli.names import Names
 from ridelab.cli.reporting import InputError, check_out, deliver, note, print_json, show_table
 from ridelab.cli.service import Services, end_as_server
 
@@ -45,23 +44,6 @@ def controller(
     print_json(measured) if as_json else _show_fit(measured)
 
 
-def hil(
-    services: Services,
-    scenario: options.Scenario = "paper",
-    changes: options.Changes = None,
-    as_json: options.AsJson = False,
-) -> None:
-    """Drive lv_hil once by the clock: latency, jitter and missed deadlines, and what they change.
-
-    It takes as long as the drive. The figures are this machine's at this moment, under an ordinary operating system.
-    """
-    design = fields.scenario_of(scenario, changes, services)
-    ridelab = services.at()
-    note("Driving by the clock; this takes as long as the drive")
-    measured = ridelab.realtime(design)
-    print_json(measured) if as_json else _show_clock(measured, services.names)
-
-
 def _show_fit(measured: Mapping[str, Any]) -> None:
     part = measured["part"]
     typer.echo(f"{part['name']}; {part['flash'] // 1024} KB flash, {part['ram'] // 1024} KB RAM")
@@ -90,20 +72,3 @@ def _fit(row: Mapping[str, Any]) -> list[Any]:
         row["fits"],
         f"{max(changes):+z.1f} %" if changes else "none",
     ]
-
-
-def _show_clock(report: Mapping[str, Any], names: Names) -> None:
-    typer.echo(f"{report['steps']} steps of {1000 * report['deadline']:g} ms, {report['misses']} deadlines missed")
-    measured = {"latency": "frame to answer", "wake_up": "plant woken late", "computing": "program's own time"}
-    keys = ("median", "percentile_99", "most", "deviation")
-    rows = [
-        [label, *(f"{1e6 * report[key][item]:.0f} µs" for item in keys)]
-        for key, label in measured.items()
-        if report[key] is not None
-    ]
-    show_table(["", "median", "99 %", "most", "deviation"], rows)
-    typer.echo("Against the same drive in lock-step:")
-    for window, row in report["changes"].items():
-        for key, value in row.items():
-            if value is not None:
-                typer.echo(f"{names.windows[window]}, {names.signals[key][0]}: {value:+z.2f} %")

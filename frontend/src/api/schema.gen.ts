@@ -551,7 +551,6 @@ export interface components {
             readonly verdict: components["schemas"]["VerdictAnswer"];
         };
         readonly Compilers: {
-            readonly realtime: string | null;
             readonly report: string | null;
         };
         readonly Condition: {
@@ -1215,19 +1214,6 @@ export interface components {
             readonly rows: readonly components["schemas"]["ReadingRow"][];
             readonly unavailable: components["schemas"]["Unavailable"] | null;
         };
-        readonly RealtimeReport: {
-            readonly changes: {
-                readonly [key: string]: {
-                    readonly [key: string]: number | null;
-                };
-            };
-            readonly computing: components["schemas"]["Times"] | null;
-            readonly deadline: number;
-            readonly latency: components["schemas"]["Times"] | null;
-            readonly misses: number;
-            readonly steps: number;
-            readonly wake_up: components["schemas"]["Times"];
-        };
         readonly RecordedColumn: {
             readonly name: string;
             readonly signal: string | null;
@@ -1596,15 +1582,6 @@ export interface components {
             readonly number: number;
             readonly title: string;
         };
-        readonly Times: {
-            readonly counts: readonly number[];
-            readonly deviation: number;
-            readonly edges: readonly number[];
-            readonly mean: number;
-            readonly median: number;
-            readonly most: number;
-            readonly percentile_99: number;
-        };
         readonly Trial: {
             readonly feasible: boolean;
             readonly generation: number;
@@ -1916,7 +1893,6 @@ export type ReadingAnswer = components['schemas']['ReadingAnswer'];
 export type ReadingChoice = components['schemas']['ReadingChoice'];
 export type ReadingRow = components['schemas']['ReadingRow'];
 export type ReadingsAnswer = components['schemas']['ReadingsAnswer'];
-export type RealtimeReport = components['schemas']['RealtimeReport'];
 export type RecordedColumn = components['schemas']['RecordedColumn'];
 export type RecordingAnswer = components['schemas']['RecordingAnswer'];
 export type RecordingReport = components['schemas']['RecordingReport'];
@@ -1952,7 +1928,6 @@ export type StrategySummary = components['schemas']['StrategySummary'];
 export type Surface = components['schemas']['Surface'];
 export type Sweep = components['schemas']['Sweep'];
 export type TableAnswer = components['schemas']['TableAnswer'];
-export type Times = components['schemas']['Times'];
 export type Trial = components['schemas']['Trial'];
 export type TrialCounts = components['schemas']['TrialCounts'];
 export type Trials = components['schemas']['Trials'];
@@ -2114,7 +2089,7 @@ export interface operations {
     readonly getBatchResults: {
         readonly parameters: {
             readonly query?: {
-                readonly format?: "json" | "csv" | "parquet";
+                readonly format?: "json" | "csv";
             };
             readonly path: {
                 readonly id: string;
@@ -2124,7 +2099,6 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/json": components["schemas"]["BatchResults"];
-                    readonly "application/vnd.apache.parquet": string;
                     readonly "text/csv": string;
                 };
             };
@@ -2212,15 +2186,10 @@ export interface operations {
         };
     };
     readonly driveByClock: {
-        readonly requestBody: {
-            readonly content: {
-                readonly "application/json": components["schemas"]["ControllerRequest"];
-            };
-        };
         readonly responses: {
             readonly 200: {
                 content: {
-                    readonly "application/json": components["schemas"]["RealtimeReport"];
+                    readonly "application/json": unknown;
                 };
             };
         };
@@ -2739,7 +2708,7 @@ export interface operations {
         readonly parameters: {
             readonly query?: {
                 readonly encoding?: "list" | "base64";
-                readonly format?: "json" | "csv" | "parquet";
+                readonly format?: "json" | "csv";
                 readonly points?: number | null;
                 readonly signals?: string | null;
                 readonly strategy?: string | null;
@@ -2752,7 +2721,6 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/json": components["schemas"]["Series"] | components["schemas"]["SeriesOfSeveral"];
-                    readonly "application/vnd.apache.parquet": string;
                     readonly "text/csv": string;
                 };
             };

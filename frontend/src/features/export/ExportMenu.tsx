@@ -26,7 +26,7 @@ import { FileFault, SaveMenu, useController, saveAs } from "./FileMenu";
 
 const FORMATS = [
   { format: "csv", label: "CSV" },
-  { format: "parquet", label: "Parquet" },
+  { format: "json", label: "JSON" },
 ] as const;
 
 export function ExportMenu() {

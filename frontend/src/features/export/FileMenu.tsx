@@ -74,7 +74,6 @@ export const SaveMenu = ({ disabled, loading, copied = false, children }: SaveMe
 
 const FORMATS = [
   { format: "csv", label: "CSV", icon: <Icon name="FileTypeCsv" size={16} /> },
-  { format: "parquet", label: "Parquet", icon: <Icon name="Table" size={16} /> },
   { format: "json", label: "JSON", icon: <Icon name="Braces" size={16} /> },
 ] as const;
 

@@ -11,7 +11,6 @@ import { Page, Loading } from "../../ui/Page";
 import { useForm, useSchemeColours, useStrategies } from "../../server/useCatalogues";
 import { BuildReport } from "./BuildReport";
 import { EcuFigures, EcuTable } from "./EcuResults";
-import { RealTime } from "./RealTime";
 import ui from "../../ui/ui.module.css";
 import { Problems } from "../../ui/Messages";
 import { Card, Columns } from "../../ui/Card";
@@ -92,12 +91,7 @@ export function EcuPage() {
           </>
         )
       )}
-      {source.scenario && (
-        <>
-          <BuildReport scenario={source.scenario} />
-          <RealTime scenario={source.scenario} seconds={summaries.lv_hil?.travel_time ?? undefined} />
-        </>
-      )}
+      {source.scenario && <BuildReport scenario={source.scenario} />}
     </Page>
   );
 }

@@ -1,6 +1,5 @@
 import { describe, expect, it } from "vitest";
 import { formatEnds, formatTime, kilobytes, largestLoss } from "./BuildReport";
-import { histogramFigure } from "./RealTime";
 
 describe("memory and times", () => {
   it.each([
@@ -20,25 +19,4 @@ describe("memory and times", () => {
 
 it("the largest loss is the largest rise, over both windows", () => {
   expect(largestLoss({ rough_road: { a: -20, b: 3 }, bump: { a: null, b: 7 } })).toBe(7);
-});
-
-it("a histogram has a bar a bin over the logarithm of time, and the deadline", () => {
-  const spread = {
-    mean: 0,
-    deviation: 0,
-    median: 0,
-    percentile_99: 0,
-    most: 0,
-    edges: [1e-6, 1e-4, 1e-2],
-    counts: [3, 5],
-  };
-  const { data, layout } = histogramFigure(
-    spread,
-    1e-2,
-    { palette: { text: "", grid: "", zero: "" }, scheme: "light", strategies: [], onPaper: false },
-    "Latency",
-  );
-  expect(data[0]?.x).toEqual([-5, -3]);
-  expect(data[0]?.y).toEqual([3, 5]);
-  expect(layout.shapes[0]).toMatchObject({ x0: -2, x1: -2 });
 });
