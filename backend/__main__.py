@@ -8,7 +8,6 @@ import errno
 import gc
 import json
 import logging
-import math
 import os
 import signal
 import socket
@@ -129,16 +128,10 @@ def _end_with_the_input() -> None:
 
 
 def _explain_limits(options: argparse.Namespace) -> int:
-    from dataclasses import asdict
+    from backend.gate.gate import Gate, explained
 
-    from backend.gate.quotas import explained, quotas
-
-    table = quotas(_settings(options))
-    numbers = {
-        name: {key: None if value == math.inf else value for key, value in asdict(quota).items()}
-        for name, quota in table.items()
-    }
-    _say(explained(table), numbers, as_json=options.json)
+    limits = Gate(_settings(options)).limits()
+    _say(explained(limits), limits, as_json=options.json)
     return 0
 
 

@@ -93,8 +93,8 @@ def service_registry(workers: Loaded, gate: Loaded) -> CollectorRegistry:
 
     Args:
         workers: Holds `busy` and `idle` processes, and tasks `waiting` for one.
-        gate: Holds `cost` not finished [s of one core], `requests`, `streams` and long `bodies` open, and the
-            expected `wait` [s].
+        gate: Holds `cost` not finished [s of one core], `requests` open and `waiting`, `streams` open, and bytes of
+            `memory`.
     """
     registry = CollectorRegistry()
     registry.register(REGISTRY)
@@ -108,8 +108,8 @@ def service_registry(workers: Loaded, gate: Loaded) -> CollectorRegistry:
     gauge("ridelab_worker_queue", "Interactive tasks that wait for a worker", workers, "waiting")
     accepted = "Estimated computing accepted and not finished, of one core"
     gauge("ridelab_admitted_cost_seconds", accepted, gate, "cost")
-    gauge("ridelab_expected_wait_seconds", "How long a new request would wait", gate, "wait")
+    gauge("ridelab_waiting_requests", "Requests that wait for their turn", gate, "waiting")
     gauge("ridelab_open_requests", "Computing requests that are open", gate, "requests")
     gauge("ridelab_open_streams", "Event streams that are open", gate, "streams")
-    gauge("ridelab_open_bodies", "Long request bodies being worked on", gate, "bodies")
+    gauge("ridelab_held_bytes", "Long request bodies and pinned time histories in memory", gate, "memory")
     return registry

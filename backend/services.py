@@ -15,6 +15,7 @@ from backend.custom_controllers.watch import Watch
 from backend.ecu.service import Controllers
 from backend.fmu.service import Fmus
 from backend.gate import Gate
+from backend.gate.budget import Budget
 from backend.http.parts import HttpParts
 from backend.http.spool import Spool
 from backend.http.tokens import Logins, Tokens
@@ -99,7 +100,7 @@ def make_services(settings: Settings, workers: Workers) -> Services:
     # Where Dask computes the jobs, one process is left for longer planning and summaries.
     count = settings.batch_workers if settings.dask_scheduler is None else 1
     batch_workers = Workers(count, timeout=settings.run_timeout, warm_up=WARM_UP, nice=BATCH_NICE)
-    spool = Spool(settings.data_dir / "spool", gate)
+    spool = Spool(settings.data_dir / "spool", Budget("the space for long answers", settings.spool_bytes))
     roads = MeasuredRoads(store=store, workers=workers, gate=gate)
     recordings = Recordings(store=store, workers=workers, gate=gate)
     memory = ResultCache(settings.series_cache_bytes)

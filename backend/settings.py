@@ -29,6 +29,10 @@ MEBIBYTE = 1024 * 1024
 REMOVED = {
     "RIDELAB_MAX_CONNECTIONS": "the system's limit of open files counts, and the proxy's own limits",
     "RIDELAB_MAX_CLIENT_CONNECTIONS": "PROXY_CLIENT_CONNECTIONS of the proxy",
+    "RIDELAB_MAX_STREAMS": "256 are open at once, half of them of one client",
+    "RIDELAB_MAX_CLIENT_STREAMS": "half of 256",
+    "RIDELAB_MAX_QUEUED_COST": "requests wait for their turn; RIDELAB_MAX_CLIENT_REQUESTS bounds how many",
+    "RIDELAB_MAX_WAIT": "requests wait for their turn; RIDELAB_MAX_CLIENT_REQUESTS bounds how many",
     "RIDELAB_BODY_TIMEOUT": "a body has to come at 50 kB/s after its first 10 s",
     "RIDELAB_HEAD_TIMEOUT": "PROXY_REQUEST_TIMEOUT of the proxy",
 }
@@ -67,16 +71,9 @@ class Settings(BaseModel):
         20, gt=0, le=3600, description="One run of such a controller may take this long [s]; less than RUN_TIMEOUT."
     )
     max_request_cost: float = Field(30, gt=0, description="Greatest estimated cost of one request [s of one core].")
-    max_queued_cost: float = Field(
-        120, gt=0, description="Estimated cost [s of one core] accepted at once; beyond it 503."
+    max_client_requests: int = Field(
+        256, ge=1, description="Requests one client may have open, waiting for their turn or handled; then 429."
     )
-    max_wait: float = Field(
-        1,
-        gt=0,
-        le=600,
-        description="Longest expected wait with which a request that may compute is admitted [s]; beyond it 503.",
-    )
-    max_client_requests: int = Field(64, ge=1, description="Computing requests one client may have open; then 429.")
     batch_workers: int = Field(
         default_factory=lambda: os.cpu_count() or 1,
         ge=1,
@@ -94,8 +91,6 @@ class Settings(BaseModel):
     dask_tls_ca_file: Path | None = Field(None, description="Certificate authority of the Dask cluster (PEM).")
     dask_tls_cert_file: Path | None = Field(None, description="This service's certificate for Dask (PEM).")
     dask_tls_key_file: Path | None = Field(None, description="Its key (PEM).")
-    max_streams: int = Field(256, ge=1, description="Event streams open at once; beyond it 503.")
-    max_client_streams: int = Field(16, ge=1, description="Event streams one client may have open; then 429.")
     max_body_bytes: int = Field(MEBIBYTE, ge=1024, description="Longest request body.")
     forwarded_allow_ips: Proxies = Field(
         "", description="Proxies whose X-Forwarded-For names the client: addresses, networks, or *."

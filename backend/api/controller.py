@@ -13,11 +13,11 @@ from backend.errors import GoneError
 from backend.fmu.models import FmuRequest
 from backend.fmu.service import Fmus
 from backend.http.answers import json_answer
-from backend.http.routing import ReadingRoute, ScenarioRoute
+from backend.http.routing import ScenarioRoute
 
 controller = router("controller", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
-compilers = router("controller", route_class=ReadingRoute)
-withdrawn = router("controller", 410, route_class=ReadingRoute)
+compilers = router("controller")
+withdrawn = router("controller", 410)
 
 ControllersService = Annotated[Controllers, service(lambda services: services.controllers)]
 FmusService = Annotated[Fmus, service(lambda services: services.fmus)]

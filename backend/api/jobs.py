@@ -12,7 +12,6 @@ from backend.api import API, router
 from backend.api.deps import Client
 from backend.http import problems
 from backend.http.answers import json_answer
-from backend.http.routing import ReadingRoute
 from backend.http.tokens import Caller
 from backend.jobs.models import LabelRequest
 from backend.jobs.service import CURSOR, Jobs
@@ -70,7 +69,7 @@ class JobApi:
 
     def routers(self) -> tuple[APIRouter, APIRouter, APIRouter]:
         """The routers of what every kind has: lists and one of them, others without a request body, those with one."""
-        lists = router(self.plural, 404, 422, 503, route_class=ReadingRoute)
+        lists = router(self.plural, 404, 422, 503)
         without_body = router(self.plural, 404, 422, 503)
         with_body = router(self.plural, 400, 404, 413, 415, 422, 503)
         self._add_queries(lists)

@@ -3,7 +3,6 @@
 from fastapi import Response
 
 from backend.api import router
-from backend.http.routing import ReadingRoute
 from backend.json_types import JsonObject
 from backend.library import answers
 from backend.library.models import Catalogue, HalfCarAnswer, PresetAnswer, ProblemAnswer, StrategyAnswer, VehicleAnswer
@@ -11,7 +10,7 @@ from backend.models import Figures
 from sim_core.comparison.vehicle_facts import vehicle_facts
 from sim_core.scenario.data_sheet import DataSheet
 
-library = router("schema", route_class=ReadingRoute)
+library = router("schema")
 data_sheets = router("schema", 400, 413, 415)
 
 

@@ -76,7 +76,7 @@ class BatchService:
         lengths = _lengths(sent_scenario, roads)
         planned = await self._planned(base, names, sweep, lengths, client)
         cost = plan.PILOTS * len(names) * min(plan.PILOT_LIMIT, planned.max_run_cost)
-        with self.gate.hold(client, requests=1, background_cost=cost):
+        with self.gate.computing(client, cost):
             seconds = await self._call(client, cost, plan.pilot, base, names, sweep, lengths, roads)
         points = planned.total // len(names)
         if seconds is not None:
@@ -249,7 +249,7 @@ class BatchService:
             TemporaryError: Too much is being computed.
         """
         job, counted = await self.jobs.get(job_id), ExitStack()
-        counted.enter_context(self.gate.hold(client, computing=1, cost=rendering.ROW_COST * job.total))
+        counted.enter_context(self.gate.streams.hold(client, 1))
         return job, table.RENDERERS[file_format](job, self.rows(job.id), self._page_call(client)), counted
 
     async def rows(self, job_id: str) -> AsyncIterator[list[JobRow]]:
@@ -279,7 +279,7 @@ class BatchService:
         self.jobs.check_runs(size(sweep) * len(names))
         try:
             cost = PLAN_COST * size(sweep) * len(names)
-            with self.gate.hold(client, requests=1, background_cost=cost):
+            with self.gate.computing(client, cost):
                 planned = await self._call(client, cost, plan.plan, base, names, sweep, lengths)
         except SweepError as error:
             raise InvalidError(

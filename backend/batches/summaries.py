@@ -201,7 +201,7 @@ class Summaries:
         cost = COST * sum(ended)
         rows, call = self.rows(job.id), partial(self.call, client, cost)
         measured = await self.roads.named(job.road_ids)
-        with self.gate.hold(client, requests=1, background_cost=cost):
+        with self.gate.computing(client, cost):
             answer, may_pass = await self._in_progress.join(
                 (*key, *ended), partial(summarised, job, rows, call, figures, against, measured)
             )

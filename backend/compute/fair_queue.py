@@ -36,6 +36,9 @@ class FairQueue:
     earlier ones took, of which half is forgotten after every HALF_LIFE. The time that was measured counts, so a client
     gains nothing where its tasks are estimated too low. Of one client the oldest task is next.
 
+    Attributes:
+        begun: How many tasks have begun.
+
     Args:
         reserved: Of all places so many, but not the last one, are left to short tasks of clients that have no task
             running.
@@ -43,6 +46,7 @@ class FairQueue:
     """
 
     def __init__(self, *, reserved: int = 0, clock: Callable[[], float] = time.monotonic) -> None:
+        self.begun = 0
         self._reserved = reserved
         self._clock = clock
         self._waiting: dict[Task, None] = {}  # in their order
@@ -81,6 +85,7 @@ class FairQueue:
         in_work = {client: self.in_work(client) for client in {task.client for task in eligible}}
         task = min(eligible, key=lambda each: in_work[each.client])  # of equals the first, which is the oldest
         del self._waiting[task]
+        self.begun += 1
         task.begun, task.reserved = self._clock(), not anybody
         self._running.add(task)
         return task

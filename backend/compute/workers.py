@@ -22,7 +22,7 @@ from backend.metrics import WORKER_FAILURES
 logger = logging.getLogger(__name__)
 
 T = TypeVar("T")
-WAIT_FOR_PROCESS = 60.0  # for a free worker [s]
+WAIT_FOR_PROCESS = 60.0  # in which no task begins, before those that wait are refused [s]
 ATTEMPTS = 2
 INTERRUPTED = 2.0  # a task that is interrupted may still take; then its worker is ended [s]
 BATCH_NICE = 10  # of 19: a process of batches beside one that computes for a person gets a tenth of a core
@@ -116,7 +116,7 @@ class Workers:
         Raises:
             WorkerLostError: Two workers died over it (or every one was found dead).
             WorkerTimeoutError: It took longer than the limit.
-            WorkersBusyError: None came free within a minute.
+            WorkersBusyError: None came free within a minute, for whatever task.
         """
         if not self._started:
             self.start()
@@ -190,14 +190,17 @@ class Workers:
         turn = self._turns[task] = asyncio.get_running_loop().create_future()
         self._dispatch()
         try:
-            async with asyncio.timeout(WAIT_FOR_PROCESS):
-                return task, await turn
-        except BaseException as error:
-            if turn.done() and not turn.cancelled():  # its turn came just then
+            while not turn.done():
+                begun = self._queue.begun
+                await asyncio.wait({turn}, timeout=WAIT_FOR_PROCESS)
+                if self._queue.begun == begun:
+                    raise WorkersBusyError
+            return task, turn.result()
+        except BaseException:
+            if turn.done():  # its turn came just then
                 self._give_back(task, turn.result())
+            turn.cancel()
             self._queue.remove(task)
-            if isinstance(error, TimeoutError):
-                raise WorkersBusyError from None
             raise
         finally:
             self._turns.pop(task, None)

@@ -57,6 +57,6 @@ class Controllers:
         if key not in self._reports:
             cost = len(report.VARIANTS) * (BUILDING + estimate(scenario, STRATEGY))
             self.gate.check_cost(cost)
-            with self.gate.computing(client, cost, controller=1):
+            with self.gate.computing(client, cost):
                 self._reports[key] = await self.workers.call(report.report, scenario, client=client, cost=cost)
         return self._reports[key]

@@ -28,7 +28,7 @@ class Fmus:
         """
         scenario = await self.roads.settled(asked.scenario)
         self.gate.check_cost(COST)
-        with self.gate.computing(client, COST, controller=1):
+        with self.gate.computing(client, COST):
             return await self.workers.call(
                 fmu, scenario, asked.strategy, asked.of, asked.version, asked.platforms, client=client, cost=COST
             )

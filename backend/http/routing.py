@@ -15,6 +15,7 @@ from fastapi.routing import APIRoute
 from starlette.datastructures import QueryParams
 
 from backend.errors import InvalidError
+from backend.gate.turns import Ticket
 from backend.http import strict_json
 from backend.http.answers import cancel_on_disconnect
 from backend.http.client_key import client_key
@@ -24,8 +25,8 @@ from backend.http.tokens import CALLER
 from backend.plain_text import MESSAGE, is_plain
 from backend.unknown_names import is_name, unknown_name
 
-BULKY = 64 * 1024  # a longer body takes a place and is parsed beside the event loop; a scenario is a few kB [bytes]
-PLACE = 4 * 1024 * 1024  # of a long body is what one place of the quota stands for [bytes]
+BULKY = 64 * 1024  # a longer body counts and is parsed beside the event loop; a scenario is a few kB [bytes]
+LONGEST_FILE = 4 * 1024 * 1024  # as CSV [bytes]
 SCENARIO_VALUES = 10_000  # a scenario has about a hundred
 
 # One thread: the next long body waits, so that they never crowd out the event loop, whose lock they share.
@@ -44,23 +45,23 @@ def client_of(request: Request) -> str:
 
 
 async def _read_body(request: Request, held: ExitStack, longest: int) -> bytes:
-    """The whole body of at most so many bytes; `held` keeps the places of a bulky one until the request is answered.
+    """Return the whole body of at most so many bytes; `held` keeps the memory of a bulky one until it is answered.
 
     Raises:
-        RequestError: It is too long, announced or in pieces, or takes too long to come.
-        TemporaryError: Too many bulky ones are being read.
+        RequestError: It is too long, announced or in pieces, or comes too slowly.
+        TemporaryError: Bulky ones take all the memory there is for them.
     """
-    parts = parts_of(request)
-    pieces, places = bytearray(), 0
+    memory, client = parts_of(request).gate.memory, client_of(request)
+    pieces, counted = bytearray(), 0
 
     def expect(length: int) -> None:
-        nonlocal places
+        nonlocal counted
         if length > longest:
             raise RequestError("too-long", f"The body may have {longest} bytes.")
-        more = -(-length // PLACE) - places if length > BULKY else 0
-        if more > 0:
-            held.enter_context(parts.gate.hold(client_of(request), bodies=more))
-            places += more
+        if length > max(counted, BULKY):
+            more = max(length, min(longest, 2 * counted)) - counted
+            held.enter_context(memory.hold(client, more))
+            counted += more
 
     announced = request.headers.get("content-length", "")
     expect(int(announced[:12]) if announced.isdecimal() else 0)
@@ -89,11 +90,12 @@ async def _parse(body: bytes, max_values: int) -> Any:
 class StrictRoute(APIRoute):
     """A route that takes the parameters it declares and reads its body as strict JSON, bounded in every way.
 
-    One that may lead to computing (`COMPUTES`) refuses a request that would wait too long before it does anything else,
-    and calls off what nobody waits for any more.
+    Its requests wait for their client's turn; what nobody waits for any more is called off, but for what changes
+    something and computes nothing.
 
     Attributes:
         FILES: The media types of a file that it takes in place of JSON, each with the longest one [bytes].
+        COMPUTES: Whether it may lead to computing; what only reads has places of its own.
     """
 
     MAX_VALUES = strict_json.MAX_VALUES
@@ -101,33 +103,33 @@ class StrictRoute(APIRoute):
     FILES: ClassVar[Mapping[str, int]] = {}
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """The framework's handler, after checks that it does not make."""
+        """Return the framework's handler, after checks that it does not make."""
         handler = super().get_route_handler()
         takes_body = self.body_field is not None or bool(self.FILES)
         declared = [(field.alias, field.field_info) for field in get_flat_params(self.dependant)]
         # The fields of a model of parameters are plain ones; only queries are models here.
         parameters = [name for name, info in declared if isinstance(info, Query) or not isinstance(info, Param)]
+        called_off = self.COMPUTES or "GET" in (self.methods or ())
+
+        async def in_turn(request: Request, ticket: Ticket, body: bytes) -> Response:
+            await ticket.turn()
+            await parts_of(request).own_files.current()
+            if body and not self.FILES:
+                request._json = await _parse(body, self.MAX_VALUES)
+            return await handler(request)
 
         async def strict(request: Request) -> Response:
-            parts = parts_of(request)
-            if self.COMPUTES and takes_body:
-                parts.gate.check_admission(client_of(request))
-            if not all(map(is_plain, request.path_params.values())):
-                raise RequestError("not-found")  # there is nothing of such an id, and a database may fail on it
-            _check_parameters(request.query_params, parameters)
-            longest = self._longest(request) if takes_body else 0
-            await parts.own_files.current()
-            with ExitStack() as held:
-                body = await _read_body(request, held, longest) if takes_body else b""
-                if self.COMPUTES:
-                    held.enter_context(parts.gate.admitted(client_of(request)))
+            gate = parts_of(request).gate
+            turns = gate.computing_turns if self.COMPUTES else gate.reading_turns
+            with turns.ticket(client_of(request)) as ticket, ExitStack() as held:
+                if not all(map(is_plain, request.path_params.values())):
+                    raise RequestError("not-found")  # there is nothing of such an id, and a database may fail on it
+                _check_parameters(request.query_params, parameters)
+                body = await _read_body(request, held, self._longest(request)) if takes_body else b""
                 if takes_body:  # what the framework would read itself, and call any error a malformed body
                     request._body = body
-                if body and not self.FILES:
-                    request._json = await _parse(body, self.MAX_VALUES)
-                if self.COMPUTES:
-                    return await cancel_on_disconnect(request, handler(request))
-                return await handler(request)
+                answer = in_turn(request, ticket, body)
+                return await (cancel_on_disconnect(request, answer) if called_off else answer)
 
         return strict
 
@@ -147,23 +149,6 @@ class StrictRoute(APIRoute):
         return types[kind]
 
 
-class ReadingRoute(StrictRoute):
-    """A route that computes nothing: what its client asks for beyond READS_AT_ONCE waits for an earlier answer."""
-
-    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """The framework's handler, in its client's turn."""
-        handler = super().get_route_handler()
-
-        async def answer(request: Request) -> Response:
-            async with parts_of(request).gate.reading(client_of(request)):
-                return await handler(request)
-
-        async def in_turn(request: Request) -> Response:
-            return await cancel_on_disconnect(request, answer(request))
-
-        return in_turn
-
-
 class ComputingRoute(StrictRoute):
     """A route whose answer may have to be computed."""
 
@@ -179,7 +164,7 @@ class ScenarioRoute(ComputingRoute):
 class FileRoute(StrictRoute):
     """A route whose body is a file, read whole with `request.body()`."""
 
-    FILES: ClassVar[Mapping[str, int]] = {"text/csv": PLACE}
+    FILES: ClassVar[Mapping[str, int]] = {"text/csv": LONGEST_FILE}
 
 
 def _check_parameters(sent: QueryParams, declared: Sequence[str]) -> None:

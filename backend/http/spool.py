@@ -15,7 +15,7 @@ from tempfile import NamedTemporaryFile
 from typing import IO, cast
 
 from backend.errors import BusyError, CostLimitError
-from backend.gate import Gate
+from backend.gate.budget import Budget
 
 MAX_IN_MEMORY = 4 * 1024 * 1024  # an answer that is expected to be longer is written into a file [bytes]
 CHUNK = 256 * 1024  # read and sent at once [bytes]
@@ -55,13 +55,13 @@ class Spool:
 
     Args:
         folder: Where they lie; made when there is one.
-        gate: Has quotas of how many and about how much there may be.
+        space: How many bytes they may have in all.
     """
 
-    def __init__(self, folder: Path, gate: Gate) -> None:
+    def __init__(self, folder: Path, space: Budget) -> None:
         self._folder = folder
-        self._gate = gate
-        self._longest = gate.quotas["long_answer_bytes"].total * LARGEST_SHARE
+        self._space = space
+        self._longest = space.total * LARGEST_SHARE
         self._expected: dict[int, float] = {}  # by descriptor of an open file how long it will be [bytes]
 
     def clear(self) -> None:
@@ -121,7 +121,7 @@ class Spool:
                 f"{advice}."
             )
         with ExitStack() as held, refused_where_full():
-            held.enter_context(self._gate.hold(client, long_answers=1, long_answer_bytes=size))
+            held.enter_context(self._space.hold(client, size))
             self._folder.mkdir(mode=0o700, parents=True, exist_ok=True)
             if shutil.disk_usage(self._folder).free < size + self._unwritten() + LEAST_FREE:
                 raise OSError(errno.ENOSPC, "less is free than the files will need")

@@ -30,7 +30,7 @@ async def server_sent(store: Store, job_id: str, after: int, gate: Gate, client:
 
 async def _stream(store: Store, job_id: str, after: int, gate: Gate, client: str) -> AsyncGenerator[bytes, None]:
     clock = asyncio.get_running_loop().time
-    with gate.hold(client, streams=1), store.commits.following(job_id) as changes:
+    with gate.streams.hold(client, 1), store.commits.following(job_id) as changes:
         yield f"retry: {RECONNECT}\n\n".encode()
         sent = clock()
         while True:

@@ -122,7 +122,7 @@ class Paper:
         """
         whole = await self.reproduction(choices, roads, client)
         parts, drawn = await self.attribution(roads, client), await self.figures(roads, client)
-        with self.gate.computing(client, page.COST, reports=1):
+        with self.gate.computing(client, page.COST):
             return await in_thread(partial(report, whole, parts, drawn.figures, compressed=compressed))
 
     async def _study(self, study: str, roads: range, client: str) -> list[Any]:
@@ -134,9 +134,10 @@ class Paper:
 
     async def _get(self, client: str, *requests: Requests, patience: float | None) -> Rows:
         """These rows; one road's runs must be within the cost limit of a request."""
-        self.gate.check_cost(cost_of(Scenario(), claims.STRATEGIES))
-        with self.gate.hold(client, requests=1):
-            every = [row for by_strategy in requests for rows in by_strategy.values() for row in rows]
+        cost = cost_of(Scenario(), claims.STRATEGIES)
+        self.gate.check_cost(cost)
+        every = [row for by_strategy in requests for rows in by_strategy.values() for row in rows]
+        with self.gate.computing(client, cost * len(every) / len(claims.STRATEGIES)):
             return await self.rows.get(every, client, patience)
 
 

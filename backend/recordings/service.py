@@ -35,7 +35,7 @@ class Recordings:
             InvalidError: It is none; the message has the line.
             TemporaryError: Too much is being read.
         """
-        with self.gate.hold(client, road_files=1, requests=1, background_cost=READING_COST):
+        with self.gate.computing(client, READING_COST):
             try:
                 read = await self.workers.call(reading.read, content, mapping, client=client, cost=READING_COST)
             except CsvError as error:

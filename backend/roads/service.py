@@ -40,7 +40,7 @@ class MeasuredRoads:
             InvalidError: It is none; the message has the line.
             TemporaryError: Too much is being read.
         """
-        with self.gate.hold(client, road_files=1, requests=1, background_cost=SURVEY_COST):
+        with self.gate.computing(client, SURVEY_COST):
             try:
                 surveyed = await self.workers.call(read, *file, client=client, cost=SURVEY_COST)
             except (CsvError, survey.SurveyError) as error:

@@ -229,7 +229,7 @@ class Histories:
             yield None
             return
         size = SAMPLE_BYTES * sum(most_samples(scenario, name, jumps=True) for name in keys)
-        with self.gate.hold(client, pinned_bytes=size):
+        with self.gate.memory.hold(client, size):
             contents = await self.store.read(self.store.links.load_pins, wanted)
             if not wanted <= contents.keys():
                 raise DamagedResultError

@@ -46,7 +46,7 @@ class TuningService:
         points = [{**weights, **road(stored, seed)} for weights in first for seed in request.seeds]
         sweep = Sweep.model_validate({"list": points})
         cost = plan.PILOTS * estimate(request.scenario, request.strategy)
-        with self.gate.hold(client, requests=1, background_cost=cost):
+        with self.gate.computing(client, cost):
             each = await self.batch_workers.call(
                 plan.pilot, stored["scenario"], [request.strategy], sweep, client=client
             )

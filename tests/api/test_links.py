@@ -1,7 +1,6 @@
 """Share links: what was shared opens again as it was, whatever becomes of the service; the view comes back as sent."""
 
 import re
-from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from typing import Any
 
@@ -11,7 +10,6 @@ from sqlalchemy import delete, select, update
 
 from backend.db.checksum import UNCHECKED
 from backend.db.tables import links, pinned_series, results, run_results, runs
-from backend.gate import Gate
 from backend.links.models import CreatedLink, Link
 from backend.runs import exports, pins
 from backend.store import Store
@@ -260,26 +258,6 @@ def test_a_run_stored_by_a_newer_version_is_refused_for_now(service: Any, fresh:
         assert answer.status_code == 503
         assert answer.json()["type"].endswith("newer-schema")
         assert "retry-after" in answer.headers
-
-
-@pytest.fixture
-def limited(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A service that computes nothing more."""
-    gate: Gate = service.services.gate
-    monkeypatch.setitem(gate.quotas, "computing", replace(gate.quotas["computing"], per_client=0))
-
-
-def test_pinning_counts_as_computing(
-    client: httpx.Client, run: dict[str, Any], fresh: dict[str, Any], request: pytest.FixtureRequest
-) -> None:
-    share(client, run["id"])
-    request.getfixturevalue("limited")
-    refused = client.post("/api/v1/links", json={"run_id": fresh["id"]})
-    assert refused.status_code == 429
-    assert "retry-after" in refused.headers
-    assert share(client, run["id"])["series_pinned"] is True, "nothing to compute"
-    for path in ("series?strategy=lv", "figures"):
-        assert client.get(f"/api/v1/runs/{run['id']}/{path}").status_code == 429, "a worker opens what is pinned"
 
 
 @pytest.fixture

@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -124,8 +123,8 @@ def test_space_is_reserved_before_anything_is_computed(
         assert refused.json()["type"].endswith(":cost-limit")
         assert "fewer" in refused.json()["detail"]
     with monkeypatch.context() as limited:
-        quotas = service.services.gate.quotas
-        limited.setitem(quotas, "long_answers", replace(quotas["long_answers"], per_client=1))  # no second one
+        limited.setattr(files._space, "total", 10.0)
+        limited.setattr(files, "_longest", 1e9)
         assert service.get(f"/api/v1/batches/{batch}/table?figures=travel_time").status_code == 429
     assert not worker_calls
     assert service.get(f"/api/v1/runs/{run['id']}/bands").status_code == 200

@@ -113,19 +113,21 @@ def test_a_body_has_only_so_many_bytes_and_a_scenario_so_many_values(client: htt
     assert str(routing.SCENARIO_VALUES) in many.detail
 
 
-def test_one_client_sends_only_so_many_long_bodies_at_once(service: Any) -> None:
+def test_long_bodies_of_one_client_take_only_so_much_memory(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     body = GOOD[:-1] + b" " * 100_000 + b"}"
+    memory = service.services.gate.memory
+    monkeypatch.setattr(memory, "total", 9.0 * len(body))
     head = "POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
     begun = f"{head}Content-Length: {len(body)}\r\n\r\n{{".encode()
     with contextlib.ExitStack() as held:
         for _ in range(4):
             address = (service.base_url.host, service.base_url.port)
             held.enter_context(socket.create_connection(address)).sendall(begun)
-        wait_until(lambda: service.services.gate.load["bodies"] == 4, "all of them have begun")
+        wait_until(lambda: memory.held == 4 * len(body), "all of them have begun")
         refused = post(service, body)
         assert (refused.status_code, int(refused.headers["retry-after"]) > 0) == (429, True)
         assert post(service, GOOD).status_code == 200, "a short one"
-    wait_until(lambda: post(service, body).status_code == 200, "a free place")
+    wait_until(lambda: post(service, body).status_code == 200, "free memory")
 
 
 @pytest.mark.parametrize("encoding", ["gzip", "deflate", "br", "GZIP", "identity, gzip", "x"])

@@ -97,7 +97,8 @@ def test_gauges_tell_what_is_held_now(service: Any) -> None:
         "two workers and the reserved one are warm and free",
     )
     with (
-        service.services.gate.hold("192.0.2.1", streams=1),
+        service.services.gate.streams.hold("192.0.2.1", 1),
+        service.services.gate.computing_turns.ticket("192.0.2.1"),
         service.services.gate.computing("192.0.2.1", 0.5),
     ):
         held = samples(service)

@@ -6,7 +6,6 @@ import io
 import shutil
 import subprocess
 import sys
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
@@ -17,11 +16,10 @@ import pytest
 
 from backend.batches.table import ColumnPages
 from backend.errors import BusyError, CostLimitError, TooManyRequestsError
-from backend.gate import Gate
+from backend.gate.budget import Budget
 from backend.http import spool
 from backend.http.spool import MAX_IN_MEMORY, Spool, SpoolFile
 from backend.pieces import render_to, write_json
-from backend.settings import Settings
 from tests.servers import loops
 from tests.servers.process import HANG_TIMEOUT, ROOT
 
@@ -30,21 +28,13 @@ LONG = MAX_IN_MEMORY + 1
 OTHER = """
 import sys, time
 from pathlib import Path
-from backend.gate import Gate
+from backend.gate.budget import Budget
 from backend.http.spool import Spool
-from backend.settings import Settings
-file = Spool(Path(sys.argv[1]), Gate(Settings())).file("one", 5)
+file = Spool(Path(sys.argv[1]), Budget("space", 1e9)).file("one", 5)
 file.path.write_bytes(b"begun")
 print("there", flush=True)
 time.sleep(1000)
 """
-
-
-def gate(limit: float) -> Gate:
-    """With space for files of so many bytes."""
-    opened = Gate(Settings())
-    opened.quotas["long_answer_bytes"] = replace(opened.quotas["long_answer_bytes"], total=limit)
-    return opened
 
 
 async def told(content: bytes, path: Path | None) -> bytes:
@@ -74,14 +64,14 @@ def long_answer(spool: Spool, size: float = LONG, client: str = "one") -> SpoolF
 
 def test_a_short_answer_stays_in_memory(tmp_path: Path) -> None:
     folder = tmp_path / "spool"
-    assert rendering(Spool(folder, gate(100 * MEGABYTE)), b"short", MAX_IN_MEMORY) == b"short"
+    assert rendering(Spool(folder, Budget("space", 100 * MEGABYTE)), b"short", MAX_IN_MEMORY) == b"short"
     assert not folder.exists()
 
 
 def test_a_long_one_lies_in_a_file_until_it_is_closed_or_forgotten(tmp_path: Path) -> None:
     folder = tmp_path / "spool"
     content = bytes(range(256)) * 4000
-    spool = Spool(folder, gate(100 * MEGABYTE))
+    spool = Spool(folder, Budget("space", 100 * MEGABYTE))
     for end in (lambda file: file.close(), lambda _: None):
         file = rendering(spool, content, LONG)
         assert isinstance(file, SpoolFile)
@@ -103,22 +93,26 @@ def test_a_second_attempt_leaves_nothing_of_the_first(tmp_path: Path) -> None:
 
 
 def test_the_sum_is_bounded_and_shared(tmp_path: Path) -> None:
-    spool = Spool(tmp_path, gate(100 * MEGABYTE))
+    spool = Spool(tmp_path, Budget("space", 100 * MEGABYTE))
     with pytest.raises(CostLimitError, match="30 MB would be needed, and the limit is 25 MB: ask for fewer"):
         long_answer(spool, 30 * MEGABYTE)
     with pytest.raises(CostLimitError, match="limit is 25 MB: a shorter road"):
         spool.file("one", 30 * MEGABYTE, advice="a shorter road")
-    held = [long_answer(spool, 25 * MEGABYTE) for _ in range(4)]
+    held = [long_answer(spool, 25 * MEGABYTE) for _ in range(2)]
     with pytest.raises(TooManyRequestsError):
-        long_answer(spool, 25 * MEGABYTE)
-    other = long_answer(spool, 25 * MEGABYTE, "two")  # whose turn is not over
+        long_answer(spool, 1 * MEGABYTE + LONG)
+    others = [long_answer(spool, 25 * MEGABYTE, "two") for _ in range(2)]
+    with pytest.raises(BusyError):
+        long_answer(spool, 25 * MEGABYTE, "three")
     held.pop().close()
-    assert len(list(tmp_path.iterdir())) == 4
-    other.close()
+    long_answer(spool, 25 * MEGABYTE, "three").close()
+    assert len(list(tmp_path.iterdir())) == 3
+    for other in others:
+        other.close()
 
 
 def test_a_failure_leaves_nothing_and_a_full_disk_is_said(tmp_path: Path) -> None:
-    spooled = Spool(tmp_path, gate(100 * MEGABYTE))
+    spooled = Spool(tmp_path, Budget("space", 100 * MEGABYTE))
 
     async def fails(error: Exception) -> None:
         async def work(path: Path | None) -> bytes:
@@ -140,7 +134,7 @@ def test_a_failure_leaves_nothing_and_a_full_disk_is_said(tmp_path: Path) -> Non
 
 
 def test_files_that_are_not_written_yet_count_on_the_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    size, spooled = 8 * MEGABYTE, Spool(tmp_path, gate(100 * MEGABYTE))
+    size, spooled = 8 * MEGABYTE, Spool(tmp_path, Budget("space", 100 * MEGABYTE))
     free = spool.LEAST_FREE + 1.5 * size
     monkeypatch.setattr(shutil, "disk_usage", lambda _: SimpleNamespace(free=free))
     first = spooled.file("one", size)
@@ -173,7 +167,7 @@ def test_a_file_that_a_starting_service_takes_for_a_dead_ones_is_given_up(
 
     real = fcntl.flock
     monkeypatch.setattr(fcntl, "flock", flock)
-    file = Spool(tmp_path, gate(100 * MEGABYTE)).file("one", LONG)
+    file = Spool(tmp_path, Budget("space", 100 * MEGABYTE)).file("one", LONG)
     others[0].close()
     assert list(tmp_path.iterdir()) == [file.path]
     assert all(operation & fcntl.LOCK_NB for operation in locks), "the event loop does not wait"
@@ -187,7 +181,7 @@ def test_what_a_killed_service_left_is_removed_and_nothing_else(tmp_path: Path) 
         try:
             assert other.stdout is not None
             assert other.stdout.readline() == b"there\n"
-            spool = Spool(tmp_path, gate(100 * MEGABYTE))
+            spool = Spool(tmp_path, Budget("space", 100 * MEGABYTE))
             own = long_answer(spool)
             spool.clear()
             assert len(list(tmp_path.iterdir())) == 2, "both are in use"

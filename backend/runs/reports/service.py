@@ -78,5 +78,5 @@ class RunReports:
             axis=axis,
             gone=gone,
         )
-        with self.gate.computing(client, page.COST, reports=1):
+        with self.gate.computing(client, page.COST):
             return await in_thread(partial(run_report.report, facts, compressed=compressed))

@@ -9,8 +9,8 @@ from backend.compute.fair_queue import SHORT
 from backend.compute.shared_computations import SharedComputations
 from backend.compute.workers import RESERVED, Workers
 from backend.errors import TemporaryError, WorkerLostError, WorkersBusyError, WorkerTimeoutError
-from backend.gate.backlog import Backlog
 from backend.gate.gate import Gate
+from backend.gate.turns import CLIENT_PLACES, PLACES
 from backend.settings import Settings
 from tests.faults.histories.loop import SimulatedLoop
 from tests.faults.histories.workers import Machine
@@ -65,7 +65,6 @@ class Requests:
     async def _run(self) -> None:
         settings = Settings(workers=2)
         self._gate = Gate(settings)
-        self._gate._backlog = Backlog(workers=2, max_wait=settings.max_wait, clock=self.loop.time)
         with self._machine.workers(2, timeout=TIMEOUT, reserved=RESERVED) as self._workers:
             await self._workers.wait_until_warm()
             self.loop.check = self._check
@@ -106,8 +105,10 @@ class Requests:
     async def _request(self, name: str, key: Key) -> str | None:
         """Why it is refused, or has failed."""
         try:
-            with self._gate.admitted(name), self._gate.computing(name, key.seconds):
-                answer = await self._shared.join(key, lambda: self._compute(name, key))
+            with self._gate.computing_turns.ticket(name) as ticket:
+                await ticket.turn()
+                with self._gate.computing(name, key.seconds):
+                    answer = await self._shared.join(key, lambda: self._compute(name, key))
         except (TemporaryError, *FAILURES) as error:
             return f"{type(error).__name__}: {error}"
         if answer != key:
@@ -124,19 +125,16 @@ class Requests:
             self.loop.broken("equal computations run at once")
 
     def _check(self) -> None:
-        for name, quota in self._gate.quotas.items():
-            amounts = self._gate._open[name]
-            if any(not 0 < amount <= quota.per_client for amount in amounts.values()):
-                self.loop.broken(f"{name} of one client: {amounts}")
-            if not quota.fair and sum(amounts.values()) > quota.total:
-                self.loop.broken(f"{name} of all: {amounts}")
+        handled = self._gate.computing_turns._handled
+        if any(not 0 < count <= CLIENT_PLACES for count in handled.values()) or handled.total() > PLACES:
+            self.loop.broken(f"places: {handled}")
         forgotten = {args for args in self._machine.running.values() if args[0] not in self._shared._by_key}
         self._forgotten = {args: self._forgotten.get(args, self.loop.time()) for args in forgotten}
         if any(self.loop.time() - since > FORGOTTEN for since in self._forgotten.values()):
             self.loop.broken("a process computes what nobody waits for any more")
 
     def _check_end(self, workers: Workers) -> None:
-        held = {name: self._gate.open(name) for name in self._gate.quotas if self._gate.open(name)}
+        held = {name: amount for name, amount in self._gate.load.items() if amount > 1e-9}
         if held or self._shared._by_key or self._shared._waiting:
             self.loop.broken(f"what nobody asks for is held: {held}, {self._shared._by_key}")
         if workers.load["waiting"] or workers.load["busy"]:

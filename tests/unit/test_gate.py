@@ -1,0 +1,234 @@
+"""Whose turn it is, and what is refused: queues by client, sums, rates."""
+
+import asyncio
+import contextlib
+import random
+from collections import Counter
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from backend.errors import BusyError, CostLimitError, TooManyRequestsError
+from backend.gate import Gate
+from backend.gate.budget import Budget
+from backend.gate.rate import TokenBucket
+from backend.gate.turns import CLIENT_PLACES, PLACES, Turns
+from backend.http.client_key import client_key
+from backend.settings import Settings
+from tests.servers import loops
+
+
+class Crowd:
+    """Requests that wait for their turn; those that have it end when they are told to."""
+
+    def __init__(self, client_queue: int = 1000, queue: int = 1000) -> None:
+        self.turns = Turns(client_queue=client_queue, queue=queue)
+        self.handled: list[tuple[str, asyncio.Event]] = []  # in the order of their turns
+        self.tasks: list[asyncio.Task[None]] = []
+
+    async def send(self, *clients: str) -> None:
+        self.tasks += [asyncio.create_task(self._request(client)) for client in clients]
+        await self.settle()
+
+    async def settle(self) -> None:
+        for _ in range(5):
+            await asyncio.sleep(0)
+
+    async def end(self, client: str) -> None:
+        """End the oldest request of that client that is handled."""
+        request = next(each for each in self.handled if each[0] == client)
+        self.handled.remove(request)
+        request[1].set()
+        await self.settle()
+
+    @property
+    def counts(self) -> Counter[str]:
+        return Counter(client for client, _ in self.handled)
+
+    async def _request(self, client: str) -> None:
+        with self.turns.ticket(client) as ticket:
+            await ticket.turn()
+            over = asyncio.Event()
+            self.handled.append((client, over))
+            await over.wait()
+
+    async def drain(self) -> None:
+        """Call everything off; nothing may be left."""
+        for task in self.tasks:
+            task.cancel()
+        await asyncio.gather(*self.tasks, return_exceptions=True)
+        assert (self.turns.open, self.turns.waiting) == (0, 0)
+        assert not self.turns._handled
+
+
+async def who_is_alone_waits_and_is_never_refused(crowd: Crowd) -> None:
+    await crowd.send(*["alone"] * 64)
+    assert (crowd.counts["alone"], crowd.turns.waiting) == (CLIENT_PLACES, 64 - CLIENT_PLACES)
+    for _ in range(64):
+        await crowd.end("alone")
+    assert crowd.turns.open == 0
+
+
+async def another_client_finds_a_place_at_once_and_then_each_has_its_turn(crowd: Crowd) -> None:
+    await crowd.send(*["greedy"] * 50)
+    await crowd.send(*["polite"] * 6)
+    assert crowd.counts == {"greedy": CLIENT_PLACES, "polite": PLACES - CLIENT_PLACES}
+    await crowd.send("late")
+    assert crowd.counts["late"] == 0
+    for _ in range(3):
+        await crowd.end("greedy")
+    assert crowd.counts["late"] == 1, "it did not wait for all that the others sent before"
+
+
+async def who_goes_away_leaves_queue_and_place(crowd: Crowd) -> None:
+    await crowd.send(*["a"] * (CLIENT_PLACES + 2))
+    crowd.tasks[-1].cancel()
+    await crowd.settle()
+    assert crowd.turns.waiting == 1
+    crowd.tasks[0].cancel()
+    await crowd.settle()
+    assert (crowd.turns.waiting, crowd.turns.open) == (0, CLIENT_PLACES)
+
+
+async def a_turn_that_comes_as_its_request_goes_away_is_the_next_ones(crowd: Crowd) -> None:
+    await crowd.send(*["a"] * (CLIENT_PLACES + 2))
+    crowd.handled[0][1].set()  # its place goes to the first that waits, which is called off just then
+    crowd.handled.pop(0)
+    await asyncio.sleep(0)
+    crowd.tasks[CLIENT_PLACES].cancel()
+    await crowd.settle()
+    assert crowd.counts["a"] == CLIENT_PLACES
+
+
+@pytest.mark.parametrize(
+    "story",
+    [
+        who_is_alone_waits_and_is_never_refused,
+        another_client_finds_a_place_at_once_and_then_each_has_its_turn,
+        who_goes_away_leaves_queue_and_place,
+        a_turn_that_comes_as_its_request_goes_away_is_the_next_ones,
+    ],
+    ids=lambda story: str(story.__name__),
+)
+def test_turns(story: Callable[[Crowd], Any]) -> None:
+    async def told() -> None:
+        crowd = Crowd()
+        await story(crowd)
+        await crowd.drain()
+
+    loops.run(told)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_no_client_is_passed_over_whatever_is_sent_and_called_off(seed: int) -> None:
+    async def told() -> None:
+        drawn, crowd = random.Random(seed), Crowd()  # noqa: S311  # a test's draws
+        for _ in range(300):
+            match drawn.choice(("send", "send", "end", "cancel")):
+                case "send":
+                    await crowd.send(drawn.choice("abcde"))
+                case "end" if crowd.handled:
+                    await crowd.end(drawn.choice(crowd.handled)[0])
+                case "cancel" if crowd.tasks:
+                    drawn.choice(crowd.tasks).cancel()
+                    await crowd.settle()
+                    crowd.handled = [each for each in crowd.handled if crowd.turns._handled[each[0]]]
+            assert all(count <= CLIENT_PLACES for count in crowd.turns._handled.values())
+            assert crowd.turns._handled.total() <= PLACES
+            if crowd.turns.waiting and crowd.turns._handled.total() < PLACES:
+                assert all(crowd.turns._handled[client] == CLIENT_PLACES for client in crowd.turns._waiting)
+        await crowd.drain()
+
+    loops.run(told)
+
+
+def test_only_a_queue_longer_than_stated_is_refused() -> None:
+    turns = Turns(client_queue=4, queue=6)
+    with contextlib.ExitStack() as held:
+
+        def take(client: str, count: int = 1) -> None:
+            for _ in range(count):
+                held.enter_context(turns.ticket(client))
+
+        take("greedy", 4)
+        with pytest.raises(TooManyRequestsError, match="4 requests open") as refused:
+            take("greedy")
+        assert refused.value.retry_after
+        take("second", 3)
+        with pytest.raises(BusyError, match="6 requests are open"):
+            take("second")
+        take("polite")
+        assert turns.open == 8, "it had less than its share"
+    assert turns.open == 0
+
+
+def test_a_long_computation_leaves_its_place_to_others() -> None:
+    async def told() -> None:
+        gate = Gate(Settings())
+        turns = gate.computing_turns
+        with turns.ticket("a") as ticket:
+            await ticket.turn()
+            with gate.computing("a", 0.5):
+                assert turns._handled["a"] == 1
+            with gate.computing("a", 30.0), gate.computing("a", 2.0):
+                assert (turns._handled["a"], turns.open, gate.load["cost"]) == (0, 1, 32.0)
+        assert set(gate.load.values()) == {0}
+
+    loops.run(told)
+
+
+def test_one_request_costs_no_more_than_stated() -> None:
+    gate = Gate(Settings(max_request_cost=5))
+    gate.check_cost(5.0)
+    with pytest.raises(CostLimitError, match="6 s of computing is over the limit of 5 s"):
+        gate.check_cost(6.0)
+
+
+def test_of_a_sum_one_client_has_half() -> None:
+    budget = Budget("room", 100)
+    with budget.hold("a", 30), budget.hold("a", 20):
+        with pytest.raises(TooManyRequestsError, match="its share of room"), budget.hold("a", 1):
+            pass
+        with budget.hold("b", 40), pytest.raises(BusyError, match="nothing is left of room"), budget.hold("c", 11):
+            pass
+        assert budget.held == 50
+    assert (budget.held, budget._held) == (0, {})
+
+
+def test_links_are_limited_by_rate() -> None:
+    now = 100.0
+    rate = TokenBucket(what="links", burst=3, each_second=0.5, clock=lambda: now)
+
+    def take(client: str, tokens: int = 1) -> int:
+        """Return 0, or after how many seconds it may be asked again."""
+        try:
+            rate.take(client, tokens)
+        except TooManyRequestsError as error:
+            return error.retry_after or 0
+        return 0
+
+    assert [take("a") for _ in range(4)] == [0, 0, 0, 2]
+    assert take("b", 1000) == 0, "no more than all that there are"
+    now += 1.9
+    assert take("a") == 1
+    now += 0.2
+    assert [take("a"), take("a")] == [0, 2]
+    now += 1000
+    assert [take("a") for _ in range(4)] == [0, 0, 0, 2]
+    assert len(rate._full_at) == 1, "whoever has all again is forgotten"
+
+
+@pytest.mark.parametrize(
+    ("address", "key"),
+    [
+        ("192.0.2.1", "192.0.2.1"),
+        ("2001:db8:0:1::ffff:2", "2001:db8:0:1::"),
+        ("::ffff:192.0.2.1", "192.0.2.1"),
+        ("fe80::1%eth0", "fe80::"),
+        ("", ""),
+        ("unix", "unix"),
+    ],
+)
+def test_an_ipv6_network_is_one_client(address: str, key: str) -> None:
+    assert client_key(address) == key
