@@ -18,8 +18,8 @@ from backend.compute.processes import keep_freed_memory
 from backend.paper import claims
 from backend.paper.absolutes import UNCONTROLLED, distance, printed
 from backend.paper.claims import FIGURES, SIMULATED
+from backend.paper.interpretations import NEAREST, TYRE_LOADS
 from backend.paper.models import Distance
-from backend.paper.readings import NEAREST, TYRE_LOADS
 from benchmarks.least_peaks import least_share
 from benchmarks.row_4 import drive_as_printed
 from benchmarks.timing import table

@@ -6,7 +6,7 @@ from statistics import fmean, median, stdev
 
 from backend.paper import models
 from backend.paper.claims import FIGURES, SIMULATED, Values
-from backend.paper.readings import DEFAULT, INTERPRETATIONS, NEAREST, Interpretation, load_factor
+from backend.paper.interpretations import DEFAULT, INTERPRETATIONS, NEAREST, Interpretation, load_factor
 from backend.paper.tables import ABSOLUTES
 from sim_core.catalogue import PAPER_SIGNALS
 

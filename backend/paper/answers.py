@@ -10,11 +10,11 @@ from backend.paper.absolutes import absolutes
 from backend.paper.attribution import COMFORT_FIGURES, EQUAL_SPEED, FACTORS, VARIANTS, compared, sentences, shares
 from backend.paper.claims import FIGURES, Judged
 from backend.paper.errata import ERRATA
-from backend.paper.readings import (
+from backend.paper.interpretations import (
     INTERPRETATIONS,
-    READINGS,
+    OPEN_QUESTIONS,
     Interpretation,
-    Reading,
+    OpenQuestion,
     changes_of,
     interpretation_of,
     load_factor,
@@ -38,9 +38,9 @@ def reproduction(
     """The answer with every cell.
 
     Args:
-        choices: Reading -> choice, all of them.
+        choices: Question -> choice, all of them.
         roads: Their seeds.
-        ours: By strategy, under these readings, of those that are complete.
+        ours: By strategy, under these choices, of those that are complete.
         without_preview: Our values without preview.
         named: Our values under each named set.
         rows: What all are made of; where hardware in the loop is not available all are judged without it.
@@ -66,7 +66,7 @@ def reproduction(
             for cell in cells()
         ],
         absolutes=absolutes(named),
-        readings=[_reading(reading, choices[reading.id]) for reading in READINGS.values()],
+        readings=[_reading(reading, choices[reading.id]) for reading in OPEN_QUESTIONS.values()],
         rules=claims.RULES,
         tables=[_table(table) for table in TABLES],
         errata=ERRATA,
@@ -79,7 +79,7 @@ def _interpretation(item: Interpretation, values: claims.Values) -> models.Inter
     return models.Interpretation(**asdict(item), choices=item.choices, changes=changes, **counted)
 
 
-def _reading(reading: Reading, choice: str) -> models.ReadingAnswer:
+def _reading(reading: OpenQuestion, choice: str) -> models.ReadingAnswer:
     own = asdict(reading)
     choices = [{**each, "default": each["id"] == reading.default} for each in own.pop("choices")]
     return models.ReadingAnswer(**own, chosen=choice, choices=choices)
@@ -102,7 +102,7 @@ def _simulated(values: claims.Values) -> claims.Values:
 
 
 def reading_row(reading: str, choice: str, base: Sequence[Judged], judged: Sequence[Judged]) -> models.ReadingRow:
-    """What one choice of a reading does to the verdicts."""
+    """What one choice of a question does to the verdicts."""
     counts, before = claims.count(judged), {item.cell: item.verdict for item in base}
     changed = sum(before.get(item.cell, item.verdict) is not item.verdict for item in judged)
     return models.ReadingRow(

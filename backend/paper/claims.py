@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
-from backend.paper.readings import READINGS, TYRE_LOADS, changes_of
+from backend.paper.interpretations import OPEN_QUESTIONS, TYRE_LOADS, changes_of
 from backend.paper.tables import PaperCell, cells
 from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
 from sim_core.comparison.intervals import Interval, change_with_interval
@@ -23,7 +23,7 @@ STRATEGIES = ("passive", "speed_only", "suspension_only", "lv", "lv_hil", "lqr")
 IN_ECU = "lv_hil"  # the one that needs the ECU's program
 SIMULATED = tuple(name for name in STRATEGIES if name != IN_ECU)
 PREVIEWED = ("suspension_only", "lv", "lv_hil")  # those whose controller looks ahead
-WINDOW = "window"  # the reading that changes no run, only where its RMS are taken
+WINDOW = "window"  # the question that changes no run, only where its RMS are taken
 WITHOUT_RUNS = (WINDOW, TYRE_LOADS)  # those that change no run
 HIL_TOLERANCE = 8.0  # a HIL cell is reached within this of the simulation, either way [%]
 AGREEMENT = 10.0  # a simulated change agrees with the printed one within this, either way [percentage points]
@@ -118,10 +118,10 @@ def split(judged: Sequence[Judged]) -> tuple[list[Judged], list[Judged]]:
 
 
 def scenario_for(choices: Mapping[str, str], seed: int) -> Scenario:
-    """The paper's scenario under these readings (reading -> choice; others take their default) on one road.
+    """The paper's scenario under these choices (question -> choice; others take their default) on one road.
 
     Raises:
-        UnknownNameError: No such reading or choice.
+        UnknownNameError: No such question or choice.
     """
     changes: dict[str, Any] = {**changes_of(choices), "road.seed": seed}
     return Scenario.model_validate(dotted.with_changes(Scenario().model_dump(mode="json"), changes))
@@ -133,9 +133,9 @@ def figures_of(result: StrategyResult) -> list[float]:
 
 
 def figures_by_window(scenario: Scenario, result: StrategyResult) -> dict[str, list[float]]:
-    """`figures_of` a run under each choice of the reading `window`."""
+    """`figures_of` a run under each choice of the question `window`."""
     own, figures = figures_of(result), {}
-    for choice in READINGS[WINDOW].choices:
+    for choice in OPEN_QUESTIONS[WINDOW].choices:
         if choice.intervals is None:
             figures[choice.id] = own
             continue

@@ -1,6 +1,6 @@
 """The rows behind the paper page, each stored under what it depends on, computed by workers. No web here.
 
-A row is what one strategy gave on one road under some readings, or what a whole study gave on one road. A job of the
+A row is what one strategy gave on one road under some choices, or what a whole study gave on one road. A job of the
 kind `reproduction` computes it as one of its runs, named by the strategy or the study.
 """
 
@@ -18,7 +18,7 @@ from backend.json_types import JsonObject
 from backend.outcome import JSON_OPTIONS, Outcome, elapsed_ms
 from backend.paper.attribution import COMFORT_FIGURES, VARIANTS
 from backend.paper.claims import FIGURES, STRATEGIES, WITHOUT_RUNS, figures_by_window, figures_of, scenario_for
-from backend.paper.readings import changes_of
+from backend.paper.interpretations import changes_of
 from sim_core import RidelabError, Road, Scenario, Speed
 from sim_core.catalogue import BUMP, PAPER_SIGNALS, PEAK
 from sim_core.simulate import simulate as simulate_core
@@ -29,7 +29,7 @@ SPEEDS_KMH = tuple(range(10, 85, 5))  # of Figures 3-6, which the paper draws ov
 
 
 def requests_under(choices: Mapping[str, str], roads: range) -> dict[str, tuple[JobRun, ...]]:
-    """By strategy the rows under these readings (reading -> choice), road by road."""
+    """By strategy the rows under these choices (question -> choice), road by road."""
     of_runs = [(name, choice) for name, choice in choices.items() if name not in WITHOUT_RUNS]
     return _requests(tuple(sorted(of_runs)), roads)
 
@@ -85,7 +85,7 @@ def figures_by_strategy(
     Args:
         rows: By key.
         requests: Of `requests_under`.
-        window: The choice of that reading.
+        window: The choice of that question.
     """
     complete = {
         name: [rows[each.key] for each in row_requests]

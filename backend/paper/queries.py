@@ -6,7 +6,7 @@ from pydantic import ConfigDict, Field, create_model
 
 from backend.models import RequestModel
 from backend.paper.claims import SEEDS
-from backend.paper.readings import DEFAULT, INTERPRETATIONS, READINGS
+from backend.paper.interpretations import DEFAULT, INTERPRETATIONS, OPEN_QUESTIONS
 
 Seeds = Annotated[int, Field(ge=20, le=100, description="How many roads every strategy drives")]
 FirstSeed = Annotated[int, Field(ge=1, le=1_000_000, description="The first road's seed; the others follow it")]
@@ -32,8 +32,8 @@ class _Query(RoadsQuery):
     )
 
     def choices(self) -> dict[str, str]:
-        """Reading -> choice, all of them."""
-        single = {name: getattr(self, name) for name in READINGS}
+        """Question -> choice, all of them."""
+        single = {name: getattr(self, name) for name in OPEN_QUESTIONS}
         return INTERPRETATIONS[self.interpretation].choices | {
             name: choice for name, choice in single.items() if choice is not None
         }
@@ -48,7 +48,7 @@ _CHOICES: dict[str, Any] = {
         Literal[tuple(choice.id for choice in reading.choices)] | None,
         Field(None, description=f"{reading.title}: {reading.description} By default as the interpretation has it."),
     )
-    for reading in READINGS.values()
+    for reading in OPEN_QUESTIONS.values()
 }
 ReportQuery = create_model("ReportQuery", __base__=_Query, **_CHOICES)
 PaperQuery = create_model("PaperQuery", __base__=_PartialQuery, **_CHOICES)

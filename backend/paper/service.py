@@ -12,8 +12,8 @@ from backend.gate import Gate
 from backend.job_run import JobRun
 from backend.outcome import Sampling
 from backend.paper import answers, claims, drawings, paper_rows
+from backend.paper.interpretations import DEFAULT, INTERPRETATIONS, OPEN_QUESTIONS
 from backend.paper.models import AttributionAnswer, PaperAnswer, PaperFigures, ReadingsAnswer
-from backend.paper.readings import DEFAULT, INTERPRETATIONS, READINGS
 from backend.paper.report import report
 from backend.paper.rows import PaperRows, Rows
 from backend.runs.reports import page
@@ -38,10 +38,10 @@ class Paper:
     async def reproduction(
         self, choices: Mapping[str, str], roads: range, client: str, *, partial: bool = False
     ) -> PaperAnswer:
-        """Every cell under these readings.
+        """Every cell under these choices.
 
         Args:
-            choices: Reading -> choice, all of them.
+            choices: Question -> choice, all of them.
             roads: Their seeds.
             client: Who asks.
             partial: Answer at once, with the cells that are there.
@@ -65,13 +65,13 @@ class Paper:
         return await asyncio.to_thread(answer)
 
     async def readings(self, roads: range, client: str) -> ReadingsAnswer:
-        """The effect of each reading by itself, from the rows that are available after a while.
+        """The effect of each choice by itself, from the rows that are available after a while.
 
         Raises:
             TemporaryError: Too much is being computed.
         """
         default = DEFAULT.choices
-        choices = [(reading.id, choice.id) for reading in READINGS.values() for choice in reading.choices[1:]]
+        choices = [(reading.id, choice.id) for reading in OPEN_QUESTIONS.values() for choice in reading.choices[1:]]
         sets = [default, *({**default, reading: choice} for reading, choice in choices)]
         requests = [await _requests(each, roads) for each in sets]
         rows = await self._get(client, *requests, patience=WAIT_FOR_ROWS)
@@ -115,7 +115,7 @@ class Paper:
         return PaperFigures(figures=await asyncio.to_thread(drawings.all_figures, peaks, results))
 
     async def report(self, choices: Mapping[str, str], roads: range, client: str, *, compressed: bool) -> Report:
-        """The whole page as one HTML file; attribution and figures are by the default readings.
+        """The whole page as one HTML file; attribution and figures are by the default choices.
 
         Raises:
             TemporaryError: Too much is being computed.

@@ -11,7 +11,7 @@ import httpx
 import pytest
 
 from backend.paper.claims import SEEDS, WINDOW
-from backend.paper.readings import INTERPRETATIONS, READINGS
+from backend.paper.interpretations import INTERPRETATIONS, OPEN_QUESTIONS
 from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
 from tests.docs import causes
@@ -65,7 +65,7 @@ def windows(client: httpx.Client) -> Iterator[str]:
     for name in INTERPRETATIONS:
         for without, label in (({}, name), ({"preview": "none"}, f"{name}, `preview=none`")):
             cells = []
-            for choice in READINGS[WINDOW].choices:
+            for choice in OPEN_QUESTIONS[WINDOW].choices:
                 query = {"interpretation": name, "window": choice.id, **without}
                 answer = client.get("/api/v1/paper", params=query).json()
                 simulated, in_ecu = (answer[part]["reached"] for part in ("simulated", "ecu"))

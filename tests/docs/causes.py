@@ -10,7 +10,7 @@ from math import sqrt
 from statistics import fmean
 from typing import Any
 
-from backend.paper.readings import Intervals
+from backend.paper.interpretations import Intervals
 from backend.paper.tables import PaperCell, cells
 from sim_core.catalogue import PAPER_SIGNALS, SIGNALS
 from sim_core.comparison.intervals import change_with_interval

@@ -23,7 +23,7 @@ from backend.db.database import insert_new
 from backend.db.tables import results
 from backend.job_run import JobRun
 from backend.paper import claims, paper_rows
-from backend.paper.readings import INTERPRETATIONS
+from backend.paper.interpretations import INTERPRETATIONS
 from backend.scenario_at import scenario_at
 from backend.store import Store
 from sim_core import __version__ as CORE_VERSION

@@ -12,8 +12,16 @@ from backend.paper import answers, claims
 from backend.paper.absolutes import distance, printed
 from backend.paper.attribution import FACTORS, VARIANTS, shares
 from backend.paper.claims import FIGURES, Verdict, judge, scenario_for, verdict
+from backend.paper.interpretations import (
+    DEFAULT,
+    FAVOURABLE,
+    INTERPRETATIONS,
+    NEAREST,
+    OPEN_QUESTIONS,
+    OURS,
+    interpretation_of,
+)
 from backend.paper.paper_rows import compute_row
-from backend.paper.readings import DEFAULT, FAVOURABLE, INTERPRETATIONS, NEAREST, OURS, READINGS, interpretation_of
 from backend.paper.tables import ABSOLUTES, TABLES, cells
 from sim_core import Road, Scenario, simulate
 from sim_core.catalogue import PAPER_SIGNALS
@@ -127,7 +135,7 @@ def test_a_verdict_is_certain_where_its_whole_interval_gets_it() -> None:
 
 def test_every_reading_changes_fields_that_exist_and_the_first_choice_is_ours() -> None:
     default = Scenario().model_dump(mode="json")
-    for reading in READINGS.values():
+    for reading in OPEN_QUESTIONS.values():
         assert len({choice.id for choice in reading.choices}) == len(reading.choices) > 1
         for choice in reading.choices:
             for name, value in choice.changes.items():
@@ -142,7 +150,7 @@ def test_every_reading_changes_fields_that_exist_and_the_first_choice_is_ours() 
 
 
 def test_each_choice_names_its_place_in_the_paper_or_is_ours() -> None:
-    for reading in READINGS.values():
+    for reading in OPEN_QUESTIONS.values():
         for choice in reading.choices:
             assert choice.source == OURS or re.search(r"Eq\. \d|[Ss]ection \d|Table \d", choice.source), choice
             assert "literal" not in choice.label + choice.source + reading.description
