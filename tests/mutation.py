@@ -30,7 +30,7 @@ ROOT, COUNT, MOST_SURVIVORS = Path(__file__).parents[1], 300, 1 / 15
 FOLDERS = ("tests/unit", "tests/validation", "tests/architecture/test_documentation.py")
 # It notices any change of a number and knows nothing of which is right: asked when all others have passed.
 GOLDEN = "tests/validation/test_golden.py::test_no_number_changes_without_the_version"
-LEFT_OUT = shutil.ignore_patterns(".*", "node_modules", "__pycache__", "*.egg-info", "build", "dist")
+LEFT_OUT = shutil.ignore_patterns(".*", "node_modules", "__pycache__", "*.egg-info", "build")
 SWAPS = {"+": "-", "*": "/", "<": "<=", ">": ">=", "==": "!=", "and": "or", "&&": "||", "+=": "-=", "is": "is not"}
 SWAPS |= {"min": "max", "minimum": "maximum", "True": "False"}
 SWAPS |= {new: old for old, new in SWAPS.items()} | {"**": "*", "%": "*", "not ": ""}

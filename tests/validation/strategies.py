@@ -39,8 +39,6 @@ vehicles = st.builds(
     front_brake_share=between(0, 1),
 )
 
-smooth_bumps = st.builds(Bump, height=heights, width=between(1, 10), start=between(30, 100))
-
 bumps = st.builds(
     Bump,
     shape=st.sampled_from(["cosine", "half_sine", "circular", "flat_top", "trapezoid", "kerb"]),

@@ -13,7 +13,6 @@ from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.errors import RidelabError
 from sim_core.frequency.sampled_loop import sampled_loop, stage_law
 from sim_core.loop.closed_loop import ClosedLoop, Trajectory
-from sim_core.loop.preview import preview
 from sim_core.loop.run import Run
 from sim_core.road.profile import road_profile
 from sim_core.road.sensed import ExpectedErrors, expected_errors
@@ -24,7 +23,6 @@ from sim_core.speed.profile import SpeedProfile
 from sim_core.speed.stages import Segment
 from sim_core.strategies import STRATEGIES
 from sim_core.vehicle.estimator import (
-    _NOISE_STREAM,
     KalmanFilter,
     _accumulated,
     _added,
@@ -67,17 +65,6 @@ def test_gain_and_covariance_are_those_of_the_riccati_equation() -> None:
     ours = kalman_filter(CAR, KALMAN, STEP, INTENSITY)
     np.testing.assert_allclose(ours.gain, gain, rtol=1e-6, atol=1e-9 * np.abs(gain).max())
     np.testing.assert_allclose(ours.covariance, (np.eye(8) - gain @ C) @ predicted, rtol=1e-5, atol=1e-12)
-
-
-def test_a_step_adds_the_roads_noise() -> None:
-    """∫ e^{As} E W E' e^{A's} ds, summed in ten thousand parts."""
-    fine = discrete(CAR, STEP / 10_000)
-    total, through = np.zeros((8, 8)), np.eye(8)
-    for _ in range(10_000):
-        part = through @ (fine.E[:, :2] / (STEP / 10_000))
-        total += INTENSITY * part @ part.T * (STEP / 10_000)
-        through = fine.A @ through
-    np.testing.assert_allclose(_accumulated(CAR, STEP, BOTH), total, rtol=2e-3, atol=1e-4 * np.abs(total).max())
 
 
 @pytest.mark.parametrize("car", [CAR, Vehicle(front_wheel_mass=5.0, front_damping=100_000.0)], ids=["paper", "stiff"])
@@ -218,24 +205,6 @@ def test_where_sensors_err_as_expected_the_body_is_known_as_well_as_claimed(offs
     assert error.max() < 3.5
 
 
-def test_told_the_whole_truth_it_has_the_state_itself() -> None:
-    """A road that is straight within each step, and sensors without noise."""
-    steps, numbers = 400, np.random.default_rng(3).standard_normal((5, 400)).T
-    disturbance, command = numbers[:, :3] * [0.2, 0.2, 1], numbers[:, 3:] * 500
-    scenario = Scenario(vehicle=CAR, estimation=KALMAN)
-    ours = make_estimator(scenario, STEP, 13.9, disturbance[:, 2:], mode="lookahead", seen=disturbance[:, :2])
-    noise = np.random.default_rng((scenario.road.seed, _NOISE_STREAM)).standard_normal((steps, 4)) * NOISES
-    known = ours.input - noise @ ours.measurement.T
-    model, sensors = discrete(CAR, STEP), measurement(CAR)
-    state, estimate = np.zeros(8), np.zeros(8)
-    for k in range(steps):
-        state = model.A @ state + model.B @ command[k] + model.E @ disturbance[k]
-        measured = sensors.C @ state + sensors.D @ command[k] + sensors.F * disturbance[k, 2]
-        estimate = ours.state @ estimate + ours.command @ command[k] + ours.measurement @ measured + known[k]
-        np.testing.assert_allclose(estimate, state, rtol=0, atol=1e-12)
-    assert np.abs(state).max() > 1e-3
-
-
 @pytest.mark.parametrize("mode", ["none", "obstacle", "wheelbase", "lookahead"])
 def test_the_estimate_follows_the_textbooks_recursion(mode: Preview) -> None:
     """Predict with the model, the command and the road as its sensors report it; the sensors' noise is what remains."""
@@ -265,28 +234,6 @@ def test_each_strategy_tells_its_filter_what_it_previews_itself(lqr: Preview, mp
         expected = lqr if name == "lqr" else mpc if issubclass(strategy, PredictiveController) else "none"
         assert prepare(scenario, strategy).filter_preview == expected
         assert prepare(untold, strategy).filter_preview == "none"
-
-
-def test_it_is_told_what_the_controller_itself_plans_on() -> None:
-    """Noise and resolution of the sensors and what the controller trusts of them included."""
-    scenario = Scenario(
-        estimation=KALMAN,
-        road=Road(length=60, bump=Bump(start=30)),
-        mismatch=Mismatch(preview_noise=0.002, preview_resolution=0.2, preview_offset=0.1),
-        mpc=Mpc(expected_noise=0.002, expected_offset=0.1),
-    )
-    run = prepare(scenario, "lv")
-    speed_profile, excitation = run.speed_profile, run.excitation
-    expected = preview("lookahead", scenario, speed_profile, excitation, 30).disturbances
-    ours = run.estimator()
-    told = make_estimator(
-        *(scenario, STEP, speed_profile.initial_speed, excitation.braking.reshape(-1, run.steps.fine)),
-        mode="lookahead",
-        seen=expected[:2, :, 0].T,
-    )
-    assert ours is not None
-    # Of inputs up to 0.5: the road is averaged in another order.
-    np.testing.assert_allclose(ours.input, told.input, rtol=0, atol=1e-13)
 
 
 @pytest.mark.parametrize("noise", [0.0005, 0.002, 0.01])

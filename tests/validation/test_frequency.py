@@ -9,7 +9,7 @@ from scipy.linalg import matrix_balance
 
 from sim_core import Controller, FloatArray, LinearLaw, Scenario, Seen, Setup
 from sim_core.frequency.margins import transfer
-from sim_core.frequency.responses import BANDS, RESPONSES, _modes, frequency_response
+from sim_core.frequency.responses import BANDS, RESPONSES, frequency_response
 from sim_core.frequency.sampled_loop import SampledLoop, sampled_loop, stage_law
 from sim_core.frequency.stability import least_damping
 from sim_core.scenario.measured import MeasuredRoad
@@ -89,51 +89,6 @@ def test_a_sine_road_gives_the_response(strategy: str, parts: dict[str, Any], fr
         assert abs(driven_response - expected) < 0.005 * scale, name
 
 
-SWEPT = [
-    ("passive", {}),
-    ("lqr", {"lqr": {"preview": "lookahead"}}),
-    ("lv", {}),
-    ("skyhook", {"actuator": {"bandwidth": 15}}),
-]
-
-
-@pytest.mark.parametrize(("strategy", "parts"), SWEPT)
-def test_a_swept_sine_gives_the_table_of_bands(strategy: str, parts: dict[str, Any]) -> None:
-    """Within 0.5 %: the responses that a sweep from 0.5 to 16 Hz measures, over the road's density in each band.
-
-    Before and behind the sweep the road is level, so a signal's spectrum over the road's is the response. As above,
-    heights are whole micrometres, and each sample of a held force stands for the fine step behind it.
-    """
-    length, before, duration, low, high = 500.0, 2.0, 44.0, 0.5, 16.0
-    time = np.clip(np.arange(0, length + 0.005, 0.01) / SPEED - before, 0, duration)
-    sweep = np.sin(2 * pi * (low * time + (high - low) * time**2 / (2 * duration)))
-    road = MeasuredRoad.of(0.004 * sweep * np.sin(pi * time / duration) ** 0.5)
-    scenario = at_one_speed(road={"roughness": 1e-3}, **parts)
-    bump = {"height": 0, "start": 496, "width": 1}
-    swept = at_one_speed(road={"profile": road.id, "length": length, "bump": bump, "roughness": 1e-3}, **parts).on(road)
-    table, series, car = (
-        frequency_response(scenario, strategy),
-        simulate(swept, strategy).series,
-        half_car(swept.vehicle),
-    )
-    fine = float(series["time"][1] - series["time"][0])
-    samples = round(100 / fine)  # with nothing behind the drive: a spectrum in steps of 0.01 Hz
-    frequency = np.fft.rfftfreq(samples, fine)
-    omega = 2j * pi * np.maximum(frequency, 1e-9)
-    hold = 1 if "actuator" in parts else (1 - np.exp(-omega * fine)) / (omega * fine)
-    forces = np.stack([series["front_force"], series["rear_force"]])
-    road_here = np.fft.rfft(series["front_road"], samples)
-    for row, name in enumerate(RESPONSES):
-        of_forces = car.D[row] @ forces
-        measured = np.fft.rfft(series[name] - of_forces, samples) + hold * np.fft.rfft(of_forces, samples)
-        for band, (first, last) in enumerate(BANDS):
-            inside = slice(round(100 * first), round(100 * last) + 1)
-            density = 1e-3 * 0.1**2 / ((frequency[inside] / SPEED) ** 2 + 0.011**2) / SPEED  # ISO 8608, cut off
-            power = np.abs(measured[inside] / road_here[inside]) ** 2 * density
-            rms = np.sqrt(np.trapezoid(power, dx=0.01))
-            assert rms == pytest.approx(there(table.bands)[name][band], rel=0.005), (name, first, last)
-
-
 WEAKLY_DAMPED = [
     ("passive", {"vehicle": {"front_damping": 10, "rear_damping": 10}}),
     ("groundhook", {"vehicle": {"front_damping": 500, "rear_damping": 500}, "hook": {"groundhook_damping": 4000}}),
@@ -209,11 +164,6 @@ def test_who_brakes_for_the_bump_meets_it_at_the_target_speed(policy: Any, stage
         {"speed": {"initial_speed_kmh": 3.6 * 15, "target_speed_kmh": 3.6 * 5, "policy": policy}}
     )
     assert frequency_response(scenario, "lqr", [1.0], stage=stage).speed == pytest.approx(expected)
-
-
-def test_a_slow_pair_of_poles_is_a_mode_and_an_integrator_is_none() -> None:
-    (mode,) = _modes(np.array([0, -0.3 + 0.4j, -0.3 - 0.4j]))
-    assert (mode.natural_frequency, mode.damping_ratio) == pytest.approx((0.5 / (2 * pi), 0.6))
 
 
 class Reacts(Controller):

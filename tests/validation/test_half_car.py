@@ -29,30 +29,6 @@ def test_matrices_are_newtons_law_in_other_coordinates(car: Vehicle) -> None:
 
 
 @given(vehicles)
-def test_undriven_energy_only_falls_and_at_the_dampers_rate(car: Vehicle) -> None:
-    """E = ½ Σ k d² + ½ Σ k_t t² + ½ Σ m v²; Ė = −Σ c ḋ²: an identity of quadratic forms, tested as one."""
-    k = [car.front_spring, car.rear_spring, car.front_tyre_stiffness, car.rear_tyre_stiffness]
-    m = [car.body_mass, car.pitch_inertia, car.front_wheel_mass, car.rear_wheel_mass]
-    energy = np.diag(k + m) / 2
-    A = half_car(car).A
-    a, b = car.cg_to_front, car.cg_to_rear
-    speed = np.array([[0, 0, 0, 0, 1, -a, -1, 0], [0, 0, 0, 0, 1, b, 0, -1]], dtype=float)
-    loss = speed.T @ np.diag([car.front_damping, car.rear_damping]) @ speed
-    rate = energy @ A + A.T @ energy
-    np.testing.assert_allclose(rate, -loss, atol=1e-9 * np.abs(energy @ A).max())
-    assert np.linalg.eigvals(A).real.max() < 0
-
-    step = discrete(car, 0.001)
-    state = np.array([0.05, -0.03, 0.01, 0.02, 0.5, -0.3, 1, -1])
-    energies = []
-    for _ in range(300):
-        energies.append(state @ energy @ state)
-        state = step.A @ state
-    assert np.all(np.diff(energies) <= 1e-12 * energies[0])
-    assert energies[-1] < 0.9 * energies[0]
-
-
-@given(vehicles)
 def test_static_loads_balance_forces_and_moments(car: Vehicle) -> None:
     front, rear = car.static_loads
     np.testing.assert_allclose(front + rear, (car.body_mass + car.front_wheel_mass + car.rear_wheel_mass) * GRAVITY)
@@ -60,20 +36,6 @@ def test_static_loads_balance_forces_and_moments(car: Vehicle) -> None:
     arm_front = (front - car.front_wheel_mass * GRAVITY) * car.cg_to_front
     arm_rear = (rear - car.rear_wheel_mass * GRAVITY) * car.cg_to_rear
     np.testing.assert_allclose(arm_front, arm_rear)
-
-
-@given(vehicles)
-def test_steady_braking_shifts_the_load_by_the_moment_over_the_wheelbase(car: Vehicle) -> None:
-    """Settled under a held deceleration: ΔF = m_b a h_cg / L in front, minus that behind, no acceleration left."""
-    model = half_car(car)
-    w = np.array([0, 0, 3.0])
-    state = np.linalg.solve(model.A, -model.E @ w)
-    y = model.C @ state + model.F @ w
-    transfer = car.body_mass * 3.0 * car.cg_height / (car.cg_to_front + car.cg_to_rear)
-    np.testing.assert_allclose(y[:4], [0, 0, transfer, -transfer], atol=1e-7 * transfer)
-    load_shares = car.front_brake_share * car.anti_dive, (1 - car.front_brake_share) * car.anti_lift
-    assert (y[4] < 0) == (load_shares[0] < 1)  # dives, unless links carry more than all
-    assert (y[5] > 0) == (load_shares[1] < 1)
 
 
 def test_links_may_carry_all_of_the_load_transfer() -> None:

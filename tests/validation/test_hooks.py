@@ -41,16 +41,3 @@ def test_each_law_does_what_it_is_for() -> None:
     for axle in ("front", "rear"):
         load = f"{axle}_tyre_load"
         assert rms(rough, "groundhook", load) < rms(rough, "speed_only", load)
-
-
-def test_hybrid_has_both_as_its_ends() -> None:
-    for alpha, law in ((1.0, "skyhook"), (0.0, "groundhook")):
-        hybrid = simulate(Scenario(hook=Hook(alpha=alpha)), "hybrid")
-        assert hybrid.metrics == simulate(Scenario(), law).metrics
-
-
-@pytest.mark.parametrize("semi_active", [False, True])
-def test_forces_stay_within_the_limit(semi_active: bool) -> None:
-    scenario = Scenario(hook=Hook(semi_active=semi_active, skyhook_damping=20_000), mpc=Mpc(force_limit=400))
-    series = simulate(scenario, "skyhook").series
-    assert np.abs(series["front_force"]).max() == 400

@@ -13,7 +13,6 @@ from sim_core.control.mpc_design import MpcDesign
 from sim_core.control.plan import Plan
 from sim_core.control.qp import CENTI, Qps
 from sim_core.instant import instant
-from sim_core.loop.run import Run
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.simulate import prepare
 from sim_core.strategies.suspension_only import SuspensionOnly
@@ -201,13 +200,6 @@ def test_the_sentence_accounts_for_the_whole_force() -> None:
     assert follows.why.endswith("the controller asks for front +0 N and rear +0 N.")
 
 
-def test_a_moving_cursor_drives_the_run_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    scenario = BOUND.model_copy(update={"road": BOUND.road.model_copy(update={"seed": 99})})
-    first = instant(scenario, "lqr", position=30)
-    monkeypatch.setattr(Run, "drive", None)
-    assert instant(scenario, "lqr", position=30.5).step > first.step
-
-
 class Proportional(Controller):
     """Gives a force in proportion to the deflections."""
 
@@ -236,18 +228,6 @@ def test_an_instant_is_of_the_object_and_the_class_as_they_are_now(field: str) -
     setattr(kind, field, 9000.0)
     np.testing.assert_array_equal(instant(BOUND, kind, **place).command, after.command)
     assert simulate(BOUND, kind).summary() == simulate(BOUND, controller).summary()
-
-
-def test_a_value_that_is_assigned_to_an_option_counts_as_one_that_is_given() -> None:
-    controller = Proportional()
-    controller.damping = 500.0
-    assert simulate(BOUND, controller).summary() == simulate(BOUND, Proportional(damping=500.0)).summary()
-    ready = controller.for_scenario(BOUND)
-    ready.damping = 700.0
-    assert controller.for_scenario(BOUND).damping == 500.0, "a run's copy is its own"
-    controller.damping = -1.0
-    with pytest.raises(RidelabError, match="damping: Input should be greater than or equal to 0"):
-        simulate(BOUND, controller)
 
 
 def test_a_place_beside_the_road_is_refused() -> None:

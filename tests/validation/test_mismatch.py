@@ -1,7 +1,5 @@
 """A real car and real sensors other than the controllers believe."""
 
-from typing import Any
-
 import numpy as np
 import pytest
 
@@ -23,18 +21,6 @@ def test_a_passive_car_with_other_parameters_is_that_other_car() -> None:
     for signal, values in real.series.items():
         assert np.array_equal(believed.series[signal], values), signal
     assert believed.reference["front_static_load"] == real.reference["front_static_load"]
-
-
-@pytest.mark.parametrize("factor", ["body_mass", "springs", "damping", "tyres", "rebound_ratio"])
-def test_one_factor_alone_makes_another_car(factor: str) -> None:
-    assert Mismatch.model_validate({factor: 2.0}).real(Vehicle()) != Vehicle()
-
-
-def test_a_controller_keeps_its_beliefs() -> None:
-    """LQR's gains stay those of the believed car: the loop over the real one is that gain on its states."""
-    real = simulate(SHORT.model_copy(update={"mismatch": Mismatch(damping=0.6)}), "lqr")
-    real_run = simulate(SHORT.model_copy(update={"vehicle": Mismatch(damping=0.6).real(Vehicle())}), "lqr")
-    assert not np.array_equal(real.series["front_force"], real_run.series["front_force"])
 
 
 @pytest.mark.parametrize("strategy", ["lv", "lqr"])
@@ -85,29 +71,6 @@ def test_sensors_see_as_far_as_they_detect_the_bump(mode: Preview) -> None:
     assert far[0][:, 16:].any() == (mode != "wheelbase")
 
 
-@pytest.mark.parametrize(
-    ("strategy", "parts"),
-    [
-        ("lv", {}),
-        ("lv_hil", {}),
-        ("suspension_only", {"mpc": {"preview": "obstacle"}}),
-        ("lqr", {"lqr": {"preview": "lookahead"}}),
-    ],
-)
-def test_at_constant_speed_the_detection_distance_bounds_the_preview(strategy: str, parts: dict[str, Any]) -> None:
-    """The horizon is 3 m long: 80 and 5 m are beyond it, 1 m is within."""
-    road = SHORT.road.model_dump()
-    speed = {"policy": "constant", "initial_speed_kmh": 36}
-    peaks = [
-        simulate(
-            Scenario.model_validate({**parts, "road": road, "speed": {**speed, "detection_distance": distance}}),
-            strategy,
-        ).metrics["bump"]["body_acceleration"]["peak"]
-        for distance in (80, 5, 1)
-    ]
-    assert peaks[0] == peaks[1] < peaks[2]
-
-
 @pytest.mark.parametrize("mode", ["lookahead", "obstacle", "wheelbase"])
 def test_where_both_axles_meet_the_road_together_they_see_the_same_and_behind_the_front_there_is_nothing(
     mode: Preview,
@@ -147,15 +110,6 @@ def test_noise_lies_in_the_road() -> None:
     front, rear = seen[:, 0], seen[:, 5]
     assert np.abs(front).max() > 0.05
     np.testing.assert_allclose(rear[12:], front[:-12], atol=1e-9)
-
-
-def test_resolution_averages_the_road() -> None:
-    """A sine of wavelength l through a mean over w shrinks by sin(π w/l)/(π w/l)."""
-    wave = Road(roughness=0, length=60, bump=Bump(shape="cosine", height=0.02, width=1, start=25, count=15, spacing=1))
-    exact, blurred = expected(Mismatch(), wave), expected(Mismatch(preview_resolution=0.4), wave)
-    inside = slice(np.flatnonzero(exact[:, 0])[0] + 20, np.flatnonzero(exact[:, 0])[-1] - 20)
-    share = blurred[inside, 0].std() / exact[inside, 0].std()
-    assert share == pytest.approx(np.sinc(0.4 / 1), rel=0.01)  # over a control step the road is straight
 
 
 @pytest.mark.parametrize("resolution", [1e-9, 0.004, 0.01, 0.03, 0.035, 0.05, 0.1, 2.0])

@@ -86,32 +86,6 @@ def test_the_papers_bump() -> None:
     np.testing.assert_allclose(height, [0, 0, 0.05, 0.1, 0.05, 0, 0], atol=1e-15)
 
 
-def test_a_washboard_is_a_sine() -> None:
-    """Cosine bumps side by side: h/2 (1 - cos 2πx/λ), one wavelength as wide as a bump."""
-    bump = Bump(height=0.03, width=0.6, start=80, count=50, spacing=0.6)
-    x = np.linspace(80, 110, 4001)
-    height = road_profile(Road(roughness=0, bump=bump)).height(x)
-    np.testing.assert_allclose(height, 0.015 * (1 - np.cos(2 * np.pi * (x - 80) / 0.6)), atol=1e-12)
-    assert road_profile(Road(roughness=0, bump=bump)).height(np.array([79.9, 110.1, 149.0])).tolist() == [0, 0, 0]
-
-
-def test_behind_a_kerb_the_road_stays_up_and_a_second_one_goes_on_from_there() -> None:
-    """Half a cosine: half the height in the middle; beyond the road's end too."""
-    stairs = Bump(shape="kerb", height=0.1, width=0.2, start=50, count=2, spacing=10)
-    height = road_profile(Road(roughness=0, bump=stairs)).height(
-        np.array([49, 50, 50.1, 50.2, 59.9, 60.1, 60.2, 149, 200])
-    )
-    np.testing.assert_allclose(height, [0, 0, 0.05, 0.1, 0.1, 0.15, 0.2, 0.2, 0.2], atol=1e-15)
-
-
-@pytest.mark.parametrize("count", [1, 3])
-def test_half_a_circle_stands_on_the_road(count: int) -> None:
-    """Width 2 × height: √(R² - x²), x from the crest; 0 at both feet, where the formula of the arc is 0/0."""
-    bump = Bump(shape="circular", height=0.5, width=1, start=50, count=count, spacing=4)
-    height = road_profile(Road(roughness=0, bump=bump)).height(np.array([49.9, 50, 50.2, 50.5, 50.9, 51, 52, 149]))
-    np.testing.assert_allclose(height, [0, 0, 0.4, 0.5, 0.3, 0, 0, 0], atol=1e-15)
-
-
 @st.composite
 def any_bumps(draw: st.DrawFn) -> Bump:
     """All that a scenario accepts, at and near what its limits forbid."""

@@ -1,7 +1,7 @@
 """The whole closed loop a second time, plainly: one control step after another, a QP in each, no shortcuts.
 
 Taken from the core: the road's heights and the speed plan (both checked elsewhere). Everything vertical is the
-reference's own: absolute coordinates, its own prediction, cost, Riccati solution, QP and solver.
+reference's own: absolute coordinates, its own prediction, cost, Riccati solution and QP, which DAQP solves.
 """
 
 from collections.abc import Callable
@@ -9,13 +9,13 @@ from dataclasses import dataclass
 from math import ceil
 from typing import Any
 
+import daqp
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicHermiteSpline
 
 from sim_core import Scenario, StrategyResult
 from sim_core.road.profile import road_profile
-from tests.validation.reference import qp
 from tests.validation.reference.sampled import gauss, interval, mean_cost, regulator, weights
 from tests.validation.reference.vehicle import StateSpace, behind, state_space
 
@@ -120,9 +120,8 @@ class ReferenceMpc:
         b = np.concatenate([limit - offset, limit + offset, force, force, np.zeros(2)])
         y = np.concatenate([np.linalg.solve(self.H[:n, :n], -g[:n]), np.zeros(2)])
         if not np.all(self.A @ y <= b):
-            answer = qp.solve(self.H, g, self.A, b)
-            assert answer.residual < 1e-10
-            y = answer.x
+            y, _, flag, _ = daqp.solve(self.H.copy(), g, self.A.copy(), b, np.full(len(b), -1e30), primal_tol=1e-10)
+            assert flag == 1
         return y[:2] * KILO
 
 
