@@ -23,69 +23,92 @@ RUN_ID_LENGTH = 22  # base64url characters: 132 bits of SHA-256
 
 
 def random_id() -> str:
-    """An id of 128 random bits, for what has no content to be named by; begins as every id does."""
+    """Return an id of 128 random bits, for what has no content to be named by; begins as every id does."""
     while not (text := secrets.token_urlsafe(16))[0].isalnum():
         pass
     return text
 
 
 def canonical(value: Any) -> bytes:
-    """One byte string for one meaning: keys sorted, no spaces, 50 and 50.0 alike, no negative zero."""
+    """Return one byte string for one meaning: keys sorted, no spaces, 50 and 50.0 alike, no negative zero."""
     return orjson.dumps(_plain(value), option=orjson.OPT_SORT_KEYS)
 
 
+def canonical_identity(scenario: Scenario) -> JsonObject:
+    """Return what a scenario is known by, with one form for one meaning: what keys and ids are hashed from."""
+    identity: JsonObject = _plain(scenario.identity())
+    return identity
+
+
 def result_key(scenario: Scenario, strategy: str) -> str:
-    """Key of one strategy's result: the program that computes it, strategy and the part of the scenario it reads."""
-    return _hash(_depends_on(scenario, strategy, scenario.identity()))
+    """Return the key of a result: the program that computes it, strategy and the part of the scenario it reads."""
+    (keys,) = result_keys([scenario], [strategy])
+    return keys[strategy]
 
 
-def result_keys(roads: Sequence[Scenario], strategies: Iterable[str]) -> list[dict[str, str]]:
-    """By strategy (no recording) the `result_key` on each of several roads, which differ in their seed alone."""
+def result_keys(
+    roads: Sequence[Scenario], strategies: Iterable[str], identity: JsonObject | None = None
+) -> list[dict[str, str]]:
+    """Return by strategy (no recording) the `result_key` on each of several roads, which differ in their seed alone.
+
+    Args:
+        roads: The scenario on each.
+        strategies: Ids.
+        identity: The first one's `canonical_identity`, where it is there already.
+    """
     keys: list[dict[str, str]] = [{} for _ in roads]
-    identity = _plain(roads[0].identity())
+    identity = canonical_identity(roads[0]) if identity is None else identity
     for strategy in strategies:
         content = _depends_on(roads[0], strategy, identity)
         part = content["part"]
         for road, of_road in zip(roads, keys, strict=True):
             if "road.seed" in part:
                 part["road.seed"] = road.road.seed
-            of_road[strategy] = _digest(orjson.dumps(content, option=orjson.OPT_SORT_KEYS))
+            of_road[strategy] = _digest(content)
     return keys
 
 
 def paper_row_key(scenario: Scenario, strategy: str) -> str:
-    """Key of the paper's figures of one strategy's run: it depends on what the result depends on."""
-    return _hash({"figures_of": result_key(scenario, strategy)})
+    """Return the key of the paper's figures of one strategy's run: it depends on what the result depends on."""
+    return _digest({"figures_of": result_key(scenario, strategy)})
 
 
 def band_key(scenario: Scenario, strategy: str, roads: int) -> str:
-    """Key of one strategy's time histories over so many roads, of which the scenario's is the first."""
-    return _hash({"band_of": result_key(scenario, strategy), "roads": roads})
+    """Return the key of one strategy's time histories over so many roads, of which the scenario's is the first."""
+    return _digest({"band_of": result_key(scenario, strategy), "roads": roads})
 
 
 def derived_key(name: str, parameters: JsonObject) -> str:
-    """Key of what is derived from many runs: the program that computes them, what it is and what it was asked for."""
-    return _hash({**_program(STRATEGIES), "derived": name, "parameters": dict(parameters)})
+    """Return the key of what is derived from many runs: the program that computes them, its name, its parameters."""
+    return _digest({**_program(STRATEGIES), "derived": name, "parameters": _plain(dict(parameters))})
 
 
-def run_id(scenario: Scenario, strategies: Iterable[str], roads: int = 1, baseline: str | None = None) -> str:
-    """Id of a run: the whole scenario, the set of strategies and the program that computes them.
+def run_id(
+    scenario: Scenario,
+    strategies: Iterable[str],
+    roads: int = 1,
+    baseline: str | None = None,
+    identity: JsonObject | None = None,
+) -> str:
+    """Return the id of a run: the whole scenario, the set of strategies and the program that computes them.
 
     Args:
         scenario: What to drive, on the first road.
         strategies: Ids.
         roads: How many roads; a run of one has the id it had before there were several.
         baseline: Which strategy the changes over several roads refer to.
+        identity: The scenario's `canonical_identity`, where it is there already.
     """
     names = sorted(set(strategies))
-    content: JsonObject = {**_program(names), "scenario": scenario.identity(), "strategies": names}
+    identity = canonical_identity(scenario) if identity is None else identity
+    content: JsonObject = {**_program(names), "scenario": identity, "strategies": names}
     if roads > 1:
         content |= {"roads": roads, "baseline": baseline}
-    return _hash(content).lstrip("-_")[:RUN_ID_LENGTH]
+    return _digest(content).lstrip("-_")[:RUN_ID_LENGTH]
 
 
 def _program(strategies: Iterable[str]) -> JsonObject:
-    """What computes these strategies, all together."""
+    """Return what computes these strategies, all together."""
     computed = {each for name in strategies for each in (REFERENCE_STRATEGIES if recording_id(name) else (name,))}
     programs = {name: program(strategy_named(name)) for name in sorted(computed)}
     common = {key: value for each in programs.values() for key, value in each.items() if key != "controller"}
@@ -98,16 +121,14 @@ def _depends_on(scenario: Scenario, strategy: str, identity: JsonObject) -> Json
     return {**_program([strategy]), "strategy": strategy, "part": part}
 
 
-def _hash(content: JsonObject) -> str:
-    return _digest(canonical(content))
-
-
-def _digest(content: bytes) -> str:
-    return base64.urlsafe_b64encode(hashlib.sha256(content).digest()).decode().rstrip("=")
+def _digest(content: JsonObject) -> str:
+    """Return the SHA-256 of canonical content."""
+    written = orjson.dumps(content, option=orjson.OPT_SORT_KEYS)
+    return base64.urlsafe_b64encode(hashlib.sha256(written).digest()).decode().rstrip("=")
 
 
 def _plain(value: Any) -> Any:
-    """The value with each whole float as an integer (also -0.0 as 0), and each huge integer as a float."""
+    """Return the value with each whole float as an integer (also -0.0 as 0), and each huge integer as a float."""
     if isinstance(value, float) and value.is_integer() and abs(value) < 2**53:
         return int(value)
     if isinstance(value, int) and not -(2**63) <= value < 2**63:

@@ -2,7 +2,9 @@
 
 from dataclasses import dataclass
 from functools import partial
+from operator import attrgetter
 
+from cachetools import LRUCache
 from prometheus_client import CollectorRegistry
 from starlette.requests import HTTPConnection
 
@@ -22,6 +24,7 @@ from backend.http.tokens import Logins, Tokens
 from backend.jobs.scheduler import Scheduler
 from backend.links.service import Links
 from backend.metrics import service_registry
+from backend.outcome import Outcome
 from backend.paper.rows import REPRODUCTION, PaperRows
 from backend.paper.service import Paper
 from backend.recordings.service import Recordings
@@ -31,8 +34,7 @@ from backend.runs.analysis import ControlAnalysis
 from backend.runs.curves import RunCurves
 from backend.runs.histories import Histories
 from backend.runs.reports.service import RunReports
-from backend.runs.result_cache import ResultCache
-from backend.runs.result_finder import ResultFinder
+from backend.runs.results import Results
 from backend.runs.service import Runs
 from backend.runs.solve.service import Solver
 from backend.settings import Settings
@@ -103,8 +105,8 @@ def make_services(settings: Settings, workers: Workers) -> Services:
     spool = Spool(settings.data_dir / "spool", Budget("the space for long answers", settings.spool_bytes))
     roads = MeasuredRoads(store=store, workers=workers, gate=gate)
     recordings = Recordings(store=store, workers=workers, gate=gate)
-    memory = ResultCache(settings.series_cache_bytes)
-    results = ResultFinder(store=store, workers=workers, memory=memory, gate=gate, roads=roads, recordings=recordings)
+    memory = LRUCache[str, Outcome](settings.series_cache_bytes, getsizeof=attrgetter("size"))
+    results = Results(store=store, workers=workers, memory=memory, gate=gate, roads=roads, recordings=recordings)
     runs = Runs(store=store, results=results, gate=gate, roads=roads, recordings=recordings)
     histories = Histories(
         store=store, workers=workers, results=results, gate=gate, roads=roads, recordings=recordings, spool=spool

@@ -18,7 +18,7 @@ from backend.paper.report import report
 from backend.paper.rows import PaperRows, Rows
 from backend.runs.reports import page
 from backend.runs.reports.page import Report, in_thread
-from backend.runs.result_finder import ResultFinder
+from backend.runs.results import Results
 from sim_core.scenario import Scenario
 
 HISTORY_POINTS = 1200
@@ -32,7 +32,7 @@ class Paper:
     """The one service of the paper page."""
 
     rows: PaperRows
-    results: ResultFinder
+    results: Results
     gate: Gate
 
     async def reproduction(
@@ -111,7 +111,8 @@ class Paper:
             TemporaryError: Too much is being computed.
         """
         peaks = await self._study(paper_rows.SPEEDS, roads, client)
-        results = await self.results.get(Scenario(), claims.STRATEGIES, client, sampling=Sampling(HISTORY_POINTS))
+        sampling = Sampling(HISTORY_POINTS)
+        (results,) = await self.results.get([Scenario()], claims.STRATEGIES, client, sampling=sampling)
         return PaperFigures(figures=await asyncio.to_thread(drawings.all_figures, peaks, results))
 
     async def report(self, choices: Mapping[str, str], roads: range, client: str, *, compressed: bool) -> Report:

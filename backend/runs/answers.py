@@ -35,6 +35,7 @@ def run_answer(
     requirements: Sequence[Requirement] = (),
     baseline: str | None = None,
     compared: Collection[str] | None = None,
+    scenario: Scenario | None = None,
 ) -> JsonObject:
     """Return the answer about a stored run, for orjson.
 
@@ -44,6 +45,7 @@ def run_answer(
         requirements: What its strategies are held to.
         baseline: The strategy that all changes refer to, those of requirements too; None is the run's own.
         compared: The strategies that `comparison` is of, beside its baseline; None is all.
+        scenario: The run's, where it is there as more than JSON already.
     """
     fields: dict[str, JsonObject] = {name: {} for name in stored.by_strategy}
     if cached is not None:
@@ -51,7 +53,7 @@ def run_answer(
     for name, (first, *_) in stored.by_strategy.items():
         if first.core_version not in (None, stored.core_version):
             fields[name]["core_version"] = first.core_version
-    scenario = Scenario.model_validate(stored.scenario)
+    scenario = scenario or Scenario.model_validate(stored.scenario)
     head: JsonObject = {
         "id": stored.id,
         "core_version": stored.core_version,

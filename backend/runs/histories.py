@@ -21,7 +21,7 @@ from backend.outcome import Outcome, Sampling
 from backend.recordings.service import Recordings
 from backend.roads.service import MeasuredRoads
 from backend.runs import bands, exports, pins
-from backend.runs.result_finder import ResultFinder
+from backend.runs.results import Results
 from backend.runs.series import SAMPLE_BYTES, SamplingHints, most_samples
 from backend.store import Store, StoredRun
 from sim_core import STRATEGIES, Scenario
@@ -50,7 +50,7 @@ class Histories:
 
     store: Store
     workers: Workers
-    results: ResultFinder
+    results: Results
     gate: Gate
     roads: MeasuredRoads
     recordings: Recordings
@@ -101,7 +101,8 @@ class Histories:
         async with self._pinned(scenario, keys, client) as pinned:
             if pinned is None:
                 await self._on_its_road(scenario, keys)
-                return await self.results.get(scenario, list(keys), client, sampling=Sampling(points))
+                (outcomes,) = await self.results.get([scenario], list(keys), client, sampling=Sampling(points))
+                return outcomes
             with self.gate.computing(client, 0.0):
                 arrays = await self.workers.call(pins.opened, pinned, _stages(stored), points, client=client)
         return {

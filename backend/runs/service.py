@@ -1,7 +1,7 @@
 """Runs: stored results are answered; missing ones are computed once, committed, then answered."""
 
 import asyncio
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -18,7 +18,7 @@ from backend.gate import Gate
 from backend.json_types import JsonObject
 from backend.means_over_roads import seeded
 from backend.metrics import CACHE
-from backend.outcome import FAILED, UNAVAILABLE, Outcome, Sampling, failure_json
+from backend.outcome import FAILED, UNAVAILABLE, Sampling, failure_json
 from backend.recordings.service import Recordings
 from backend.requirements import Requirement
 from backend.roads.service import MeasuredRoads
@@ -30,10 +30,9 @@ from backend.runs.answers import (
     run_answer,
 )
 from backend.runs.histories import LawGoneError
-from backend.runs.result_finder import ResultFinder
+from backend.runs.results import Results
 from backend.runs.series import ordered_signals
 from backend.store import Store, StoredRun
-from backend.store.roads import measured_roads
 from sim_core import __version__ as CORE_VERSION
 from sim_core.comparison.compare import default_baseline
 from sim_core.scenario import SCHEMA_VERSION, Scenario
@@ -58,7 +57,7 @@ class Runs:
     """Makes runs and reads them."""
 
     store: Store
-    results: ResultFinder
+    results: Results
     gate: Gate
     roads: MeasuredRoads
     recordings: Recordings
@@ -84,39 +83,44 @@ class Runs:
                 passive does not run.
             requirements: What the strategies are held to.
         """
-        saved, cached = await self.drive(scenario, strategies, client, roads=roads, baseline=baseline)
-        answer = partial(run_answer, saved, cached=cached, requirements=requirements, baseline=baseline)
-        return await asyncio.to_thread(answer)
+        run, cached = await self.get_or_compute(scenario, strategies, client, roads=roads, baseline=baseline)
+        answer = partial(run_answer, run, cached=cached, requirements=requirements, baseline=baseline)
+        known = None if scenario.road.follows_profile else scenario
+        return await asyncio.to_thread(answer, scenario=known)
 
-    async def drive(
+    async def get_or_compute(
         self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None
     ) -> tuple[StoredRun, dict[str, bool]]:
-        """The run in the database, and the strategies that were not computed for this request."""
-        names, scenario = ordered(strategies), await self.roads.settled(scenario)
+        """Return the run as it is stored now, and of each strategy whether nothing was computed for this request."""
+        names = ordered(strategies)
+        if scenario.road.follows_profile:
+            scenario = await self.roads.on(scenario)
         against = None if roads == 1 else baseline or default_baseline(names)
-        run_id = digest.run_id(scenario, names, roads, against)
+        identity = digest.canonical_identity(scenario)
+        run_id = digest.run_id(scenario, names, roads, against, identity)
         stored = await self._load(run_id)
         if stored is not None and not stored.expired:
             CACHE.labels("hit").inc(len(names) * roads)
             return stored, dict.fromkeys(names, True)
         costs = costs_of(scenario, names)
         self.gate.check_cost(roads * sum(costs.values()))
-        outcomes = await self._computed(scenario, names, roads, client, costs)
+        by_road = await self.results.get(seeded(scenario, roads), names, client, costs=costs, identity=identity)
         run = StoredRun(
             id=run_id,
             core_version=CORE_VERSION,
             schema_version=SCHEMA_VERSION,
             scenario=scenario.model_dump(mode="json"),
-            results=tuple(outcomes),
+            results=tuple(each[name] for each in by_road for name in names),
             roads=roads,
             baseline=against,
         )
         # Results in memory outlive their road and their recording.
-        await self.roads.named(measured_roads(run.scenario))
-        await self.recordings.named(names)
-        saved = await self.store.write(self.store.runs.save, run)
-        cached = {name: all(item.cached for item in outcomes if item.strategy == name) for name in names}
-        return saved.with_outcomes(_by_strategy(names, outcomes)), cached
+        if scenario.road.profile is not None:
+            await self.roads.named([scenario.road.profile])
+        if any(map(recording_id, names)):
+            await self.recordings.named(names)
+        await self.store.write(self.store.runs.save, run)
+        return run, {name: all(each[name].cached for each in by_road) for name in names}
 
     async def get(
         self,
@@ -174,10 +178,12 @@ class Runs:
         binary: bool,
     ) -> bytes:
         """Return metrics and decimated time histories of that scenario, as JSON or `binary`; nothing is stored."""
-        names, scenario = ordered(strategies), await self.roads.settled(scenario)
+        names = ordered(strategies)
+        if scenario.road.follows_profile:
+            scenario = await self.roads.on(scenario)
         costs = costs_of(scenario, names)
         self.gate.check_cost(sum(costs.values()))
-        outcomes = await self.results.get(scenario, names, client, sampling=sampling, costs=costs)
+        (outcomes,) = await self.results.get([scenario], names, client, sampling=sampling, costs=costs)
         render = live_binary if binary else live_json
         return await asyncio.to_thread(render, scenario, outcomes, ordered_signals(signals), baseline)
 
@@ -213,18 +219,6 @@ class Runs:
         scenario = upgraded_scenario(stored.scenario, stored.schema_version)
         return replace(stored, scenario=scenario, schema_version=SCHEMA_VERSION)
 
-    async def _computed(
-        self,
-        scenario: Scenario,
-        names: Sequence[str],
-        roads: int,
-        client: str,
-        costs: Mapping[str, float] | None = None,
-    ) -> list[Outcome]:
-        """Results road by road, as they are stored."""
-        results = await self.results.on_roads(seeded(scenario, roads), names, client, sampling=None, costs=costs)
-        return [each[name] for each in results for name in names]
-
     async def _computed_again(self, stored: StoredRun, client: str) -> StoredRun:
         """A run whose missing results are computed by this core version.
 
@@ -240,29 +234,23 @@ class Runs:
             raise LawGoneError
         names = [name for name in names if name not in changed]
         try:
-            outcomes = await self._computed(scenario, names, stored.roads, client) if names else []
+            by_road = await self.results.get(seeded(scenario, stored.roads), names, client) if names else []
         except InvalidError:
             raise RoadGoneError from None
-        again = _by_strategy(names, outcomes)
+        again = {name: [each[name] for each in by_road] for name in names}
         again |= {name: [replace(item, **_FAILED_BEFORE) for item in by_name[name]] for name in changed}
         run = stored.with_outcomes(again, CORE_VERSION)
         if whole:
             run = replace(
                 run,
-                results=tuple(outcomes),
+                results=tuple(each[name] for each in by_road for name in names),
                 core_version=CORE_VERSION,
                 schema_version=SCHEMA_VERSION,
                 scenario=scenario.model_dump(mode="json"),
             )
-        if any(item.cacheable for item in outcomes):
+        if any(item.cacheable for each in by_road for item in each.values()):
             await self.store.write(self.store.runs.recompute, run, CORE_VERSION)
-            run = (await self._load(run.id) or run).with_outcomes(again)  # another process may have been first
         return run
-
-
-def _by_strategy(names: Sequence[str], outcomes: Sequence[Outcome]) -> dict[str, Sequence[Outcome]]:
-    """Each strategy's outcomes road by road, of those of all strategies on one road after the other."""
-    return {name: outcomes[place :: len(names)] for place, name in enumerate(names)}
 
 
 def _changed_controllers(stored: StoredRun, scenario: Scenario, names: Iterable[str]) -> set[str]:

@@ -116,18 +116,12 @@ class RunStore(RowStore):
         damaged = drop_damaged_results(self._database, rows)
         return {row.key: _result(row) for row in rows if row.key not in damaged}
 
-    def save(self, run: StoredRun) -> StoredRun:
-        """Commit a run and those of its results that are not stored; returns the run in the database.
+    def save(self, run: StoredRun) -> None:
+        """Commit a run and those of its results that are not stored.
 
         Of a failure that is not `cacheable` it has an expired result. Where another process stored the same run first,
         that one stays: content-addressed results never change.
         """
-        stored = self._save(run)
-        pairs = zip(stored.results, run.results, strict=False)
-        damaged = any(there.status == EXPIRED and new.cacheable for there, new in pairs)  # one that was there before
-        return self._save(run) if damaged else stored
-
-    def _save(self, run: StoredRun) -> StoredRun:
         with self._database.writing() as connection:
             insert_results(connection, run.results, run.core_version)
             insert_new(connection, runs, [{name: getattr(run, name) for name in _STORED_NAMES}])
@@ -137,11 +131,6 @@ class RunStore(RowStore):
             for recording in map(recording_id, run.by_strategy):
                 if recording is not None:
                     insert_new(connection, run_recordings, [{"run_id": run.id, "recording_id": recording}])
-            rows = _read_run(connection, run.id)
-        stored = self._stored_run(*rows)
-        if stored is None:
-            raise RuntimeError("A run was not there right after it was stored")
-        return stored
 
     def _stored_run(self, head: Row[Any] | None, members: Sequence[Row[Any]]) -> StoredRun | None:
         """Make a run of its rows; a damaged result is dropped, and the run has it as expired."""

@@ -15,7 +15,6 @@ from backend.db.tables import results, roads, run_roads
 from backend.roads.samples import HUMP as HUMP_OF_STREET
 from backend.roads.samples import POTHOLE, SAMPLES
 from backend.roads.survey import read
-from backend.runs.result_cache import ResultCache
 from sim_core import Scenario, simulate
 from tests.api.conftest import Service
 from tests.servers.batches import computed
@@ -216,7 +215,7 @@ def test_without_its_road_a_run_keeps_its_metrics_and_no_new_one_is_stored(
     with service.services.store.writing() as connection:
         expired = update(results).where(results.c.strategy == "passive").values(status="expired", summary="{}")
         connection.execute(expired)
-    monkeypatch.setattr(ResultCache, "get", lambda *_: None)
+    service.services.runs.results.memory.clear()
     assert service.get(path).status_code == 410
 
 

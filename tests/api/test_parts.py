@@ -2,26 +2,20 @@
 
 import math
 import os
-import pickle
 import subprocess
 import sys
-import tracemalloc
 from pathlib import Path
 from typing import Any
 
 import httpx
-import numpy as np
 import pytest
 from fastapi import FastAPI
 from hypothesis import given
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
 from backend import digest
 from backend.api.site import add_site
 from backend.means_over_roads import seeded
-from backend.outcome import Outcome, Sampling
-from backend.runs.result_cache import ResultCache
 from sim_core import STRATEGIES, Hil, Lqr, Mpc, Road, Scenario
 
 
@@ -82,13 +76,6 @@ def test_equal_numbers_have_one_canonical_form_and_others_another(value: float) 
         assert digest.canonical([value]) != digest.canonical([other])
 
 
-def outcome(samples: int, points: int = 800) -> Outcome:
-    series = np.zeros((15, samples), dtype=np.float32)
-    return Outcome(
-        key="k", strategy="lv", status="ok", json=b"{}", compute_ms=1.0, sampling=Sampling(points), series=series
-    )
-
-
 @pytest.mark.parametrize("first_seed", [1, 0, 2**31])
 def test_keys_on_several_roads_are_those_of_each_road(first_seed: int) -> None:
     scenario = Scenario.model_validate({"road": {"seed": first_seed}, "estimation": {"kind": "kalman"}})
@@ -96,23 +83,6 @@ def test_keys_on_several_roads_are_those_of_each_road(first_seed: int) -> None:
     each = [{name: digest.result_key(road, name) for name in STRATEGIES} for road in roads]
     assert digest.result_keys(roads, STRATEGIES) == each
     assert len({key for keys in each for key in keys.values()}) == 3 * len(STRATEGIES)
-
-
-@pytest.mark.parametrize("series", [None, np.zeros((4, 100), dtype=np.float32)])
-def test_results_in_memory_take_no_more_than_they_may(series: NDArray[np.float32] | None) -> None:
-    """As they come from a worker."""
-    result = Outcome(
-        key="k", strategy="lv", status="ok", json=bytes(2900), compute_ms=1.5, sampling=Sampling(100), series=series
-    )
-    memory, content = ResultCache(10**6), pickle.dumps(result)
-    for _ in range(2000):
-        pickle.loads(content)  # noqa: S301  # CPython keeps so many tuples of a length that nobody needs any more
-    tracemalloc.start()
-    for number in range(1000):
-        memory.put(f"{number:043}", pickle.loads(content))  # noqa: S301  # our own
-    taken, _ = tracemalloc.get_traced_memory()
-    tracemalloc.stop()
-    assert 0.8e6 < taken < 1.02e6
 
 
 TRIM = """
@@ -134,18 +104,6 @@ def test_freed_pages_between_blocks_in_use_are_given_back() -> None:
     """Of 100 MB every hundredth block stays."""
     given_back = subprocess.run([sys.executable, "-c", TRIM], capture_output=True, text=True, check=True).stdout
     assert int(given_back) > 80e6
-
-
-def test_memory_answers_only_for_the_points_it_has() -> None:
-    memory = ResultCache(10**6)
-    memory.put("a", outcome(100, 800))
-    assert memory.get("a", Sampling(2000)) is None
-    assert memory.get("a", None) is not None, "without series any will do"
-    memory.put("a", outcome(200, 2000))
-    assert memory.get("a", Sampling(800)) is None
-    assert memory.get("a", Sampling(2000)) is not None
-    memory.put("a", Outcome(key="k", strategy="lv", status="ok", json=b"{}", compute_ms=1.0))
-    assert memory.get("a", Sampling(2000)) is not None, "one without series does not drive out one with"
 
 
 def test_what_is_not_built_is_not_found(service: Any, tmp_path: Path) -> None:

@@ -16,7 +16,6 @@ from backend.db.checksum import UNCHECKED
 from backend.db.tables import REMOVED, jobs, results, roads
 from backend.jobs.retention import Retention
 from backend.outcome import UNAVAILABLE, failure_json
-from backend.runs.result_cache import ResultCache
 from backend.settings import Settings
 from backend.store import Store, StoredLink, retention
 from sim_core.scenario.measured import MeasuredRoad
@@ -289,7 +288,7 @@ def test_a_failure_that_is_not_the_scenarios_does_not_take_their_place(
         return {name: replace(each, **failed) for name, each in (await call(*arguments, **queued)).items()}
 
     with monkeypatch.context() as patch:
-        patch.setattr(ResultCache, "get", lambda *_: None)
+        service.services.runs.results.memory.clear()
         patch.setattr(service.services.workers, "call", away)
         answer = service.get(f"/api/v1/runs/{expired['id']}").json()["strategies"].values()
     assert {(each["status"], each["kind"], each["reason"]) for each in answer} == {

@@ -10,7 +10,6 @@ import pytest
 from backend.digest import run_id
 from backend.runs.answers import run_answer
 from backend.runs.models import CreatedRun, LiveRun, Run
-from backend.runs.result_finder import shared_work
 from backend.runs.service import Runs
 from sim_core import Scenario, StrategyResult, __version__, simulate
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STATISTICS, WINDOWS
@@ -209,9 +208,3 @@ def test_strategies_of_one_speed_plan_share_a_worker(
     monkeypatch.setattr(workers, "call", counted)
     service.run(["lv", "lqr", "passive"], unseen | {"speed": {"policy": policy}}).raise_for_status()
     assert sorted(tasks) == expected
-
-
-def test_a_law_of_ones_own_shares_no_worker_whatever_it_is_called() -> None:
-    together = {shared_work(name, Scenario(), 1) for name in ("lv", "passive", "planned", "constant")}
-    assert len(together) == 4
-    assert shared_work("mine", Scenario(), 5) != shared_work("lv", Scenario(), 5)

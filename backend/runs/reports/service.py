@@ -13,7 +13,7 @@ from backend.runs.histories import Histories
 from backend.runs.reports import page
 from backend.runs.reports import run as run_report
 from backend.runs.reports.page import Report, in_thread
-from backend.runs.result_finder import Outcomes
+from backend.runs.results import Outcomes
 from backend.runs.service import Runs, check_has
 from sim_core.comparison.compare import default_baseline
 

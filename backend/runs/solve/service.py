@@ -54,7 +54,9 @@ class Solver:
         except ValidationError as error:
             return Tried(reason=contradiction(error))
         try:
-            run, _ = await self.runs.drive(scenario, request.driven, client, roads=request.roads, baseline=None)
+            run, _ = await self.runs.get_or_compute(
+                scenario, request.driven, client, roads=request.roads, baseline=None
+            )
         except ShortRoadError as error:
             if request.field != LENGTH:  # every value would fail alike: the scenario is to blame
                 raise

@@ -91,7 +91,9 @@ class Work:
 
     def _run(self) -> None:
         scenario = Scenario.model_validate({"road": {"seed": int(self._rng.integers(1, 10**6))}})
-        self._run_ids.append(self.store.runs.save(stored_run(scenario, self._rng)).id)
+        run = stored_run(scenario, self._rng)
+        self.store.runs.save(run)
+        self._run_ids.append(run.id)
 
     def _link(self) -> None:
         if self._run_ids:
