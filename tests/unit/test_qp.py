@@ -75,16 +75,6 @@ def test_a_tenth_of_a_newton_off_is_no_answer(monkeypatch: pytest.MonkeyPatch) -
     assert min(residuals) > TOLERANCE
 
 
-@pytest.mark.parametrize(("violation", "answers"), [(0.9e-6, True), (1.1e-6, False)])
-def test_osqps_answer_counts_up_to_the_tolerance(
-    violation: float, answers: bool, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    design = designs(HARD)[0]
-    qps, inputs = Qps(design), next(random_inputs(design.by_inputs.shape[1], 1))
-    monkeypatch.setattr(qps, "residual", lambda design: violation)
-    assert (qps.solve(design, "osqp", inputs) is not None) == answers
-
-
 @pytest.mark.parametrize(("off", "answers"), [(1e-8, True), (1e-5, False)])
 def test_c_answers_only_where_its_answer_is_that_of_the_qp(off: float, answers: bool) -> None:
     """The QP's linear term is larger by that share than the one from which the answer is made: so is the residual."""
@@ -145,21 +135,6 @@ def test_a_qp_that_c_cannot_prove_is_the_other_solvers(monkeypatch: pytest.Monke
     assert 0 < event(fallen, "qp_fallbacks") < event(fallen, "qp_solves")
     assert fallen.events["qp_failures"] == 0
     assert fallen.series["front_force"] == pytest.approx(normal.series["front_force"], abs=0.1)
-
-
-def test_after_a_qp_that_neither_answers_the_dual_method_is_asked_alone(monkeypatch: pytest.MonkeyPatch) -> None:
-    asked, solve = list[str](), Qps.solve
-
-    def failing(qps: Qps, design: QpDesign, solver: str, inputs: FloatArray) -> FloatArray | None:
-        asked.append(solver)
-        return None if len(asked) in {1, 3, 4, 6} else solve(qps, design, solver, inputs)
-
-    monkeypatch.setattr(Qps, "solve", failing)
-    monkeypatch.setattr(PredictiveController, "qp", lambda self, stage: None)
-    result = simulate(HARD, "lv")
-    assert asked[:6] == ["daqp", "osqp", "daqp", "osqp", "daqp", "daqp"]
-    assert set(asked[6:]) == {"daqp"}
-    assert (result.events["qp_fallbacks"], result.events["qp_failures"]) == (1, 2)
 
 
 def test_when_no_solver_answers_the_last_force_is_held_and_counted(monkeypatch: pytest.MonkeyPatch) -> None:

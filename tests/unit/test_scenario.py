@@ -8,7 +8,6 @@ from pydantic import ValidationError
 from sim_core.scenario import Scenario
 from sim_core.scenario.dotted import with_changes
 from sim_core.scenario.presets import PRESETS
-from sim_core.scenario.search_words import SEARCH_WORDS
 from sim_core.simulate import simulate
 
 
@@ -110,35 +109,12 @@ def test_every_number_in_the_schema_has_a_title_a_unit_limits_and_a_soft_range_w
     assert seen > 40
 
 
-def test_what_a_field_may_be_looked_for_by_is_said_of_fields_that_there_are() -> None:
-    definitions = Scenario.model_json_schema()["$defs"]
-    for part, words in SEARCH_WORDS.items():
-        assert words.keys() - {"*"} <= definitions[part]["properties"].keys(), part
-
-
 def test_the_schema_describes_each_part_and_the_scenario_in_a_line() -> None:
     """The scenario's docstring has an example too, which no reader of the API has a use for."""
     schema = Scenario.model_json_schema()
     assert all(part["description"] for part in schema["$defs"].values())
     assert schema["description"].startswith("Everything a run depends on")
     assert "\n" not in schema["description"]
-
-
-def test_a_preset_is_what_its_description_says() -> None:
-    bumps = {name: each.scenario.road.bump for name, each in PRESETS.items()}
-    hump = {"shape": "circular", "height": 0.075, "width": 3.7}
-    said: dict[str, dict[str, object]] = {
-        "watts_hump": hump,
-        "pothole": {"shape": "trapezoid", "height": -0.06, "width": 1},
-        "three_humps": {**hump, "count": 3, "spacing": 20},
-        "washboard": {"height": 0.03, "width": 0.6, "spacing": 0.6, "count": 30 / 0.6},
-        "kerb": {"shape": "kerb", "height": 0.1, "width": 0.22},
-    }
-    for name, fields in said.items():
-        assert {field: getattr(bumps[name], field) for field in fields} == fields
-    assert PRESETS["watts_hump"].scenario.speed.detection_distance == 60
-    for name in ("watts_hump", "washboard", "paper_nearest"):
-        assert PRESETS[name].scenario.road.roughness == 256e-6, "class C of ISO 8608"
 
 
 @pytest.mark.parametrize(

@@ -25,10 +25,8 @@ from sim_core.strategies import STRATEGIES
 from sim_core.vehicle.estimator import (
     KalmanFilter,
     _accumulated,
-    _added,
     _unseen,
     kalman_filter,
-    make_estimator,
     unseen_share,
 )
 from sim_core.vehicle.half_car import discrete, half_car, measurement
@@ -76,26 +74,6 @@ def test_a_step_adds_what_is_missing_to_the_covariance_of_a_long_drive(car: Vehi
     exact = whole - decay @ whole @ decay.T
     size = np.sqrt(np.outer(np.diag(exact), np.diag(exact)))
     assert np.all(np.abs(_accumulated(car, step, BOTH) - exact) < 1e-8 * size)
-
-
-def test_of_a_known_mean_a_step_adds_what_the_road_does_around_it() -> None:
-    """The covariance of normal numbers given their mean, summed in two thousand parts (Anderson 2003, 2.5.1).
-
-    Front known, rear not: for the rear it is the road's whole noise.
-    """
-    parts = 2_000
-    fine = discrete(CAR, STEP / parts)
-    through, effects = np.eye(8), np.empty((parts, 8, 2))
-    for part in range(parts):
-        effects[part] = through @ fine.E[:, :2] / (STEP / parts)
-        through = fine.A @ through
-    front, rear = effects[:, :, 0], effects[:, :, 1]
-    of_the_mean = np.outer(front.sum(axis=0), front.sum(axis=0)) / parts
-    total = INTENSITY * STEP / parts * (front.T @ front - of_the_mean + rear.T @ rear)
-    ours = _added(CAR, STEP, np.diag([0, INTENSITY]), np.diag([INTENSITY, 0]), 1)
-    for entries in np.ndindex(8, 8):  # of sizes from 1e-13 to 1e-6
-        size = np.sqrt(total[entries[0], entries[0]] * total[entries[1], entries[1]])
-        assert abs(ours[entries] - total[entries]) < 5e-3 * size, entries
 
 
 def with_preview(scenario: Scenario, mode: Preview) -> Scenario:
@@ -296,14 +274,6 @@ def test_the_loop_has_the_regulators_poles_and_the_filters() -> None:
     ours = np.linalg.eigvals(loop.closed)
     for pole in poles:
         assert np.abs(ours - pole).min() < 1e-5, pole
-
-
-def test_a_filter_with_another_cars_model_gets_no_hint_of_it() -> None:
-    """Its matrices are the believed car's: only what it is fed differs."""
-    heavy = Scenario(estimation=KALMAN, mismatch=Mismatch(body_mass=1.3))
-    one, two = (make_estimator(each, STEP, 13.9, np.zeros((5, 3))) for each in (heavy, Scenario(estimation=KALMAN)))
-    np.testing.assert_array_equal(one.state, two.state)
-    np.testing.assert_array_equal(one.measurement, two.measurement)
 
 
 def test_a_filter_that_is_not_stable_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,7 +8,7 @@ import pytest
 from pydantic import ValidationError
 from skfuzzy import control
 
-from sim_core import Fuzzy, Scenario, simulate
+from sim_core import Fuzzy, Scenario
 from sim_core.scenario.fuzzy import TABLE_1 as RULES_OF_TABLE_1
 from sim_core.scenario.fuzzy import FuzzySet, even_triangles
 from sim_core.speed.fuzzy import memberships, torque_rules
@@ -141,25 +141,6 @@ def test_where_no_rule_holds_nothing_brakes() -> None:
     own = torque_rules(fuzzy)
     assert own.share(20, 20.1) == 0
     assert own.share(20, 0) == pytest.approx(11 / 12, abs=1e-3)
-
-
-def test_a_scenario_drives_by_its_rules() -> None:
-    """Table 1 written out is Table 1; the strongest torque at any distance brakes earlier, none does not brake."""
-    written = {
-        "inputs": {
-            "speed_error": [each.model_dump(mode="json") for each in even_triangles(30)],
-            "distance": [each.model_dump(mode="json") for each in even_triangles(80)],
-        },
-        "rules": [rule.model_dump(mode="json") for rule in RULES_OF_TABLE_1],
-    }
-    always, never = ({"rules": [{"if": {"speed_error": each}, "then": torque} for each in SETS]} for torque in "VO")
-    paper, again, early, late = (
-        simulate(Scenario.model_validate({"fuzzy": fuzzy, "speed": {"controller": "fuzzy"}}), "speed_only")
-        for fuzzy in ({}, written, always, never)
-    )
-    assert again.travel_time == pytest.approx(paper.travel_time, rel=1e-3)
-    assert early.travel_time > paper.travel_time + 0.5
-    assert late.travel_time < paper.travel_time - 0.5
 
 
 TRIANGLE = {"name": "low", "function": "trimf", "corners": [0, 0, 10]}

@@ -91,22 +91,6 @@ def test_the_papers_peak_where_both_axles_meet_the_bump_together(speed_kmh: floa
         assert abs(error) < 0.003 or key.startswith("rough_road"), key
 
 
-@pytest.mark.parametrize("strategy", ["passive", "suspension_only"])
-def test_nothing_moves_on_a_smooth_road_without_a_bump(strategy: str) -> None:
-    series = simulate(Scenario(road=Road(roughness=0, bump=Bump(height=0))), strategy).series
-    for name in METRIC_SIGNALS:
-        assert np.abs(series[name]).max() < 1e-12, name
-
-
-def test_load_coefficients_are_over_the_static_loads() -> None:
-    scenario = Scenario()
-    result = simulate(scenario, "lv")
-    for axle, static in zip(("front", "rear"), scenario.vehicle.static_loads, strict=True):
-        rough = result.metrics["rough_road"][f"{axle}_tyre_load"]["rms"]
-        assert result.comfort[f"{axle}_dynamic_load_coefficient"] == pytest.approx(rough / static)
-        assert result.reference[f"{axle}_static_load"] == static
-
-
 def test_a_section_ends_at_a_sample_that_is_as_near_as_rounding() -> None:
     assert section_ends([(719.9999999, 720.5)]).tolist() == [[720, 720.5]]
 

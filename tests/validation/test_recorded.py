@@ -11,7 +11,7 @@ from sim_core import STRATEGIES, Bump, Mismatch, RidelabError, Road, Scenario, S
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, SIGNALS
 from sim_core.errors import RefusedError, TooExpensiveError
-from sim_core.recorded.alignment import LARGEST_SCALE_ERROR, correlations, find_placement
+from sim_core.recorded.alignment import LARGEST_SCALE_ERROR, find_placement
 from sim_core.recorded.offsets import GRAVITY
 from sim_core.recorded.result import recorded_result
 from sim_core.scenario.presets import preset
@@ -122,18 +122,6 @@ def test_a_drive_without_time_and_speed_has_no_travel_time() -> None:
     assert np.isnan([result.travel_time, result.arrival_speed_kmh]).all()
 
 
-def test_a_drive_of_a_clock_alone_takes_as_long_as_its_road_says() -> None:
-    """Without speed it is taken as driven at the initial one, which it holds; the last sample is 4 ms early at most."""
-    signals = recording(SCENARIO, drift=-0.011).signals()
-    result = recorded_result(SCENARIO, RecordedDrive.of({key: signals[key] for key in ("time", *PLACED)}))
-    assert result.travel_time == pytest.approx(SCENARIO.road.length / SCENARIO.speed.initial, abs=0.005)
-
-
-def test_a_signal_is_like_itself_from_another_zero() -> None:
-    x = np.arange(0, 10, 0.1)
-    assert correlations(x, np.sin(x)[None] + 3, x, np.sin(x)[None] + 5) == pytest.approx([1])
-
-
 def test_a_drive_somewhere_else_is_not_placed() -> None:
     x, signal = np.arange(0, 150, 0.1), np.random.default_rng(2).normal(size=(1, 1500))
     elsewhere = RecordedDrive.of({"time": x / 10, "position": x + 1000, "body_acceleration": signal[0]})
@@ -158,18 +146,6 @@ def test_too_few_samples_are_refused(position: list[float] | None, speed: list[f
     time = np.array([0.0, *np.cumsum(np.diff(given) / 10)]) if position else np.arange(len(given), dtype=float)
     with pytest.raises(RefusedError, match=said):
         recorded_result(SCENARIO, RecordedDrive.of({"time": time, **signals}), simulated)
-
-
-def test_a_signal_without_any_value_is_like_one_that_is_missing() -> None:
-    """Also the speed, which else gives the distance."""
-    signals = recording(SCENARIO).signals()
-    empty = {key: np.full(len(signals["time"]), nan) for key in ("speed", "rear_deflection")}
-    found = recorded_result(SCENARIO, RecordedDrive.of(signals | empty), simulated)
-    without = {key: values for key, values in signals.items() if key not in empty}
-    expected = recorded_result(SCENARIO, RecordedDrive.of(without), simulated)
-    assert there(found.recording).notes == there(expected.recording).notes
-    assert there(found.recording).reference == "passive"
-    assert found.metrics["whole"]["body_acceleration"] == expected.metrics["whole"]["body_acceleration"]
 
 
 CLASSES = (16e-6, 64e-6, 256e-6, 1024e-6)  # A to D

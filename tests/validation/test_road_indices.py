@@ -125,16 +125,6 @@ def test_a_bands_mean_scatters_as_its_independent_ordinates() -> None:
     assert (scatter * independent).mean() == pytest.approx(1, abs=0.03)
 
 
-def test_two_tracks_have_one_mean_spectrum() -> None:
-    first, second = (road(2.0, roughness, 300, 0.05, 1) for roughness in (16e-6, 48e-6))
-    both = classified([first, second], 0.05)
-    alone = classified([first], 0.05)
-    assert both
-    assert alone
-    assert both.roughness.value == pytest.approx(2 * alone.roughness.value, rel=1e-6)
-    np.testing.assert_allclose(both.density, 2 * alone.density)
-
-
 def test_a_road_without_enough_waves_has_no_class() -> None:
     assert classified([road(2.0, 64e-6, 19, 0.05, 1)], 0.05) is None
     assert classified([np.zeros(1000)], 0.05) is None
