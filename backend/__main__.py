@@ -72,7 +72,7 @@ def main(arguments: list[str] | None = None) -> int:
     from backend import logs
     from backend.settings import removed_in
 
-    logs.configure(settings.log_format, settings.log_level)
+    logs.configure(settings.log_level)
     if removed := removed_in(os.environ):
         logging.getLogger("backend").warning(removed)
     return _serve(app, settings, listener, options, ending)

@@ -34,7 +34,7 @@ from backend.http.request_log import RequestLogMiddleware
 from backend.http.tokens import TokenMiddleware
 from backend.library import answers
 from backend.services import Services, interactive_workers, make_services
-from backend.settings import BUILT_MANUAL, Settings
+from backend.settings import BUILT_MANUAL, BUILT_PAGE, Settings
 from sim_core import __version__
 
 DESCRIPTION = """A what-if laboratory for active suspension over bumps.
@@ -112,7 +112,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
     problems.register(app)
     for router in ROUTERS:
         app.include_router(router)
-    site.add_site(app, settings.frontend_dir, BUILT_MANUAL)
+    site.add_site(app, BUILT_PAGE, BUILT_MANUAL)
     app.openapi = lambda: openapi.describe(app)  # type: ignore[method-assign]  # FastAPI's own way to change it
     # Made on the first request, in a thread.
     app.add_route(

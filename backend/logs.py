@@ -1,4 +1,4 @@
-"""Structured logs: one line for each event on standard error, JSON or text; every library's events too."""
+"""Logs of the whole process on standard error: text on a terminal, else a JSON object for each event."""
 
 import json
 import logging
@@ -6,7 +6,6 @@ import sys
 from datetime import UTC, datetime
 from typing import Literal
 
-Format = Literal["json", "console"]
 Level = Literal["debug", "info", "warning", "error"]
 
 # Control characters, and those at which some viewers break a line, as their escapes.
@@ -20,52 +19,44 @@ USUAL = {*vars(logging.makeLogRecord({})), "message", "asctime", "taskName", "co
 class Lines(logging.Formatter):
     """An event as a line: its text, what it was told with, the request it belongs to, an exception's traceback."""
 
-    def __init__(self, form: Format) -> None:
+    def __init__(self, *, as_text: bool) -> None:
         super().__init__()
-        self._form = form
+        self._as_text = as_text
 
     def format(self, record: logging.LogRecord) -> str:
-        """A line; a traceback follows it in text."""
+        """Return a line; in text a traceback follows it."""
         from backend.http.request_log import request_id  # the web stack, which a start imports last
 
         time = datetime.fromtimestamp(record.created, UTC).isoformat(timespec="microseconds").replace("+00:00", "Z")
-        more = {name: value for name, value in vars(record).items() if name not in USUAL}
+        line = {"event": record.getMessage(), "level": record.levelname.lower(), "logger": record.name}
+        line |= {"timestamp": time, **{name: value for name, value in vars(record).items() if name not in USUAL}}
         if request := request_id():
-            more["request_id"] = request
+            line["request_id"] = request
         trace = self.formatException(record.exc_info) if record.exc_info else ""
-        level, event = record.levelname.lower(), record.getMessage()
-        if self._form == "json":
-            # Everything but ASCII is escaped: whatever a text holds, it stays within its string and its line.
-            line = {"event": event, "level": level, "logger": record.name, "timestamp": time, **more}
+        if not self._as_text:  # whatever a text holds, it stays within its string and its line
             return json.dumps(line | ({"exception": trace} if trace else {}), default=repr)
-        words = [
-            f"{time} [{level}] {event}",
-            f"[{record.name}]",
-            *(f"{name}={value!r}" for name, value in more.items()),
-        ]
-        lines = [" ".join(words), *trace.splitlines()]
-        # Escaped, so that it cannot begin another line or move the cursor.
-        return "\n".join(line.translate(CONTROL) for line in lines)
+        words = [f"{time} [{line.pop('level')}] {line.pop('event')} [{line.pop('logger')}]"]
+        words += [f"{name}={value!r}" for name, value in line.items() if name != "timestamp"]
+        return "\n".join(each.translate(CONTROL) for each in (" ".join(words), *trace.splitlines()))
 
 
 def _is_for_a_person(record: logging.LogRecord) -> bool:
-    """Whether it is more than a step of a start or an end; what an end waits for says how to force it."""
+    """Check whether it is more than a step of a start or an end; what an end waits for says how to force it."""
     return record.levelno > logging.INFO or "force quit" in record.getMessage()
 
 
 def on_terminal() -> bool:
-    """Whether standard error is one."""
+    """Check whether standard error is one."""
     return sys.stderr.isatty()
 
 
-def configure(form: Format | None, level: Level) -> None:
-    """Send the whole process's logs to standard error in this form; None is text on a terminal, else JSON."""
-    form = form or ("console" if on_terminal() else "json")
+def configure(level: Level) -> None:
+    """Send the whole process's logs to standard error, from that level on."""
     handler = logging.StreamHandler(sys.stderr)
-    handler.setFormatter(Lines(form))
+    handler.setFormatter(Lines(as_text=on_terminal()))
     root = logging.getLogger()
     root.handlers = [handler]
     root.setLevel(level.upper())
-    if form == "console" and level == "info" and on_terminal():
+    if level == "info" and on_terminal():
         logging.getLogger("uvicorn.error").addFilter(_is_for_a_person)
     logging.captureWarnings(True)

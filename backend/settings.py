@@ -11,7 +11,6 @@ from typing import Any, Literal, Self
 from pydantic import (
     BaseModel,
     ConfigDict,
-    DirectoryPath,
     Field,
     ValidationError,
     ValidationInfo,
@@ -25,10 +24,18 @@ from backend.setting_types import Hosts, NewFolder, Proxies, SchedulerAddress, T
 PREFIX = "RIDELAB_"
 CLIENT_VARIABLES = {"RIDELAB_SERVER", "RIDELAB_TOKEN"}  # of the command line; a service starts all the same
 MEBIBYTE = 1024 * 1024
+MAX_BODY_BYTES = MEBIBYTE  # of a request's body in JSON
+MAX_BATCH_RUNS = 100_000  # of one job
+MAX_UNFINISHED_JOBS = 1000  # of one kind, waiting or running
 # What earlier releases had: such a variable is named in the log and has no effect; docs/how-to/operations.md shows it.
 REMOVED = {
     "RIDELAB_MAX_CONNECTIONS": "the system's limit of open files counts, and the proxy's own limits",
     "RIDELAB_MAX_CLIENT_CONNECTIONS": "PROXY_CLIENT_CONNECTIONS of the proxy",
+    "RIDELAB_MAX_BODY_BYTES": "1 MiB, as the proxy before the service has it",
+    "RIDELAB_MAX_BATCH_RUNS": "100,000; RIDELAB_MAX_BATCH_COST bounds what they cost",
+    "RIDELAB_MAX_UNFINISHED_BATCHES": "1000",
+    "RIDELAB_FRONTEND_DIR": "frontend/dist of a checkout, or the page that is installed",
+    "RIDELAB_LOG_FORMAT": "text on a terminal, else JSON",
     "RIDELAB_MAX_STREAMS": "256 are open at once, half of them of one client",
     "RIDELAB_MAX_CLIENT_STREAMS": "half of 256",
     "RIDELAB_MAX_QUEUED_COST": "requests wait for their turn; RIDELAB_MAX_CLIENT_REQUESTS bounds how many",
@@ -59,7 +66,6 @@ class Settings(BaseModel):
     database_password_file: Path | None = Field(
         None, description="File with the database's password, so that the URL needs none."
     )
-    frontend_dir: DirectoryPath = Field(BUILT_PAGE, description="The built frontend and the API page's assets.")
     workers: int = Field(default_factory=_default_workers, ge=1, le=64, description="Warm worker processes.")
     run_timeout: float = Field(90, gt=0, le=3600, description="One worker task may take this long [s].")
     controllers: str | None = Field(
@@ -80,18 +86,15 @@ class Settings(BaseModel):
         le=256,
         description="Processes for batches where no Dask scheduler is named.",
     )
-    max_batch_runs: int = Field(100_000, ge=1, description="Runs one batch may have; beyond it 422.")
     max_batch_cost: float = Field(
         100_000, gt=0, description="Greatest estimated cost of one batch [s of one core]; beyond it 422."
     )
-    max_unfinished_batches: int = Field(1000, ge=1, description="Batches waiting or running; beyond it 503.")
     dask_scheduler: SchedulerAddress | None = Field(
         None, description="Address of a Dask scheduler; without one this machine's processes compute the batches."
     )
     dask_tls_ca_file: Path | None = Field(None, description="Certificate authority of the Dask cluster (PEM).")
     dask_tls_cert_file: Path | None = Field(None, description="This service's certificate for Dask (PEM).")
     dask_tls_key_file: Path | None = Field(None, description="Its key (PEM).")
-    max_body_bytes: int = Field(MEBIBYTE, ge=1024, description="Longest request body.")
     forwarded_allow_ips: Proxies = Field(
         "", description="Proxies whose X-Forwarded-For names the client: addresses, networks, or *."
     )
@@ -102,9 +105,6 @@ class Settings(BaseModel):
     )
     tokens_file: TokensFile | None = Field(
         None, description="File with a name and a token a line: then the API answers those with a token only."
-    )
-    log_format: Literal["json", "console"] | None = Field(
-        None, description="Without one text on a terminal, else JSON."
     )
     log_level: Literal["debug", "info", "warning", "error"] = Field("info", description="Least level that is logged.")
     retention_days: float | None = Field(

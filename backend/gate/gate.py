@@ -8,7 +8,7 @@ from backend.errors import CHEAPER_RUN, CostLimitError
 from backend.gate.budget import Budget
 from backend.gate.rate import TokenBucket
 from backend.gate.turns import CLIENT_PLACES, PLACES, Turns, current_ticket
-from backend.settings import MEBIBYTE, Settings
+from backend.settings import MAX_BATCH_RUNS, MEBIBYTE, Settings
 
 MEMORY = 128 * MEBIBYTE  # of long request bodies and pinned time histories that are being read
 STREAMS = 256
@@ -93,7 +93,7 @@ class Gate:
             ("requests of one client, waiting or handled", f"{turns.client_queue}", "429"),
             ("requests of all clients", f"{turns.queue}", "503, where its client has its share of them"),
             ("estimated cost of one request", f"{limits.max_request_cost:g} s of one core", "422"),
-            ("runs of a batch", f"{limits.max_batch_runs}", "422"),
+            ("runs of a batch", f"{MAX_BATCH_RUNS}", "422"),
             ("estimated cost of a batch", f"{limits.max_batch_cost:g} s of one core", "422"),
             ("long bodies and pinned time histories", f"{MEMORY // MEBIBYTE} MiB, of one client half", "429, 503"),
             ("answers in files", files, "429, 503, 422"),

@@ -23,6 +23,7 @@ from backend.http.parts import parts_of
 from backend.http.problems import MOST_ERRORS, RequestError
 from backend.http.tokens import CALLER
 from backend.plain_text import MESSAGE, is_plain
+from backend.settings import MAX_BODY_BYTES
 from backend.unknown_names import is_name, unknown_name
 
 BULKY = 64 * 1024  # a longer body counts and is parsed beside the event loop; a scenario is a few kB [bytes]
@@ -139,7 +140,7 @@ class StrictRoute(APIRoute):
         Raises:
             RequestError: It is of another type, or compressed.
         """
-        types = self.FILES or {"application/json": parts_of(request).settings.max_body_bytes}
+        types = self.FILES or {"application/json": MAX_BODY_BYTES}
         kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
         if kind not in types:
             message = f"The body has to be a file, with Content-Type: {' or '.join(types)}." if self.FILES else None

@@ -12,7 +12,7 @@ from backend.gate import Gate
 from backend.job_run import JobRun
 from backend.jobs.events import server_sent
 from backend.jobs.kind import JobKind
-from backend.settings import Settings
+from backend.settings import MAX_BATCH_RUNS, MAX_UNFINISHED_JOBS, Settings
 from backend.store import Store, StoredJob
 from backend.store.job import UNFINISHED, State
 
@@ -58,12 +58,12 @@ class Jobs:
         waiting = sum(
             count for (kind, state), (count, _) in counts.items() if kind == self.kind.name and state in UNFINISHED
         )
-        if waiting >= self.settings.max_unfinished_batches:
+        if waiting >= MAX_UNFINISHED_JOBS:
             raise BusyError(f"The service is full: too many {self.kind.plural} are waiting.", retry_after=RETRY_AFTER)
 
     def check_runs(self, runs: float) -> None:
         """Refuse a job of too many runs; raises CostLimitError."""
-        limit = self.settings.max_batch_runs
+        limit = MAX_BATCH_RUNS
         if runs > limit:
             raise self._over_limit(f"{runs:.6g} runs are over the limit of {limit} runs")
 

@@ -12,7 +12,7 @@ import pytest
 
 from backend.batches import table as batch_table
 from backend.http.guard import HEADERS
-from backend.settings import Settings
+from backend.settings import BUILT_PAGE
 from sim_core.catalogue import METRICS, SIGNALS
 from sim_core.strategies import STRATEGIES
 from tests.api.test_hostile_connections import exchange, head
@@ -126,7 +126,7 @@ def batch(client: httpx.Client) -> str:
 
 def test_every_kind_of_answer_has_every_header(service: Any, run: dict[str, Any], batch: str, monkeypatch: Any) -> None:
     client: httpx.Client = service
-    dist: Path = Settings().frontend_dir
+    dist: Path = BUILT_PAGE
     assets = [f"/assets/{path.name}" for path in (dist / "assets").iterdir() if path.suffix != ".br"]
     assert assets
     series = f"/api/v1/runs/{run['id']}/series?strategy=lv&points=50"

@@ -18,7 +18,7 @@ import httpx
 import pytest
 from fastapi import FastAPI
 
-from backend.app import create_app
+from backend import app
 from backend.errors import BusyError, RoadGoneError, ServiceError, TooManyRequestsError
 from backend.http import openapi
 from backend.http.field_descriptions import EVERYWHERE, OF_MODELS
@@ -216,14 +216,17 @@ def built(tmp_path: Path) -> Path:
     return tmp_path / "dist"
 
 
-def visitor(settings: Settings) -> httpx.AsyncClient:
-    """A client of an application that was not started: pages need neither store nor workers."""
-    return httpx.AsyncClient(transport=httpx.ASGITransport(app=create_app(settings)), base_url="http://ridelab")
+def visitor(page: Path) -> httpx.AsyncClient:
+    """Return a client of an application that was not started: pages need neither store nor workers."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(app, "BUILT_PAGE", page)
+        made = app.create_app(Settings())
+    return httpx.AsyncClient(transport=httpx.ASGITransport(app=made), base_url="http://ridelab")
 
 
 def test_the_dashboard_is_served_at_its_addresses(built: Path) -> None:
     async def visit() -> None:
-        async with visitor(Settings(frontend_dir=built)) as client:
+        async with visitor(built) as client:
             for path in ("/", "/r/AAAAAAAAAAAAAAAAAAAAAA", "/b/AAAAAAAAAAAAAAAAAAAAAA"):
                 page = await client.get(path)
                 assert page.status_code == 200
@@ -254,7 +257,7 @@ def test_the_dashboard_is_served_at_its_addresses(built: Path) -> None:
 def test_an_unknown_address_is_a_page_to_a_browser_and_a_problem_to_a_script(built: Path) -> None:
     async def visit() -> None:
         browser = {"Accept": "text/html,application/xhtml+xml,*/*;q=0.8"}
-        async with visitor(Settings(frontend_dir=built)) as client:
+        async with visitor(built) as client:
             page = await client.get("/nowhere", headers=browser)
             assert (page.status_code, page.headers["content-type"]) == (404, "text/html; charset=utf-8")
             assert "Ridelab" in page.text
@@ -267,7 +270,7 @@ def test_an_unknown_address_is_a_page_to_a_browser_and_a_problem_to_a_script(bui
 
 def test_without_a_dashboard_the_page_says_so(tmp_path: Path) -> None:
     async def visit() -> None:
-        async with visitor(Settings(frontend_dir=tmp_path)) as client:
+        async with visitor(tmp_path) as client:
             page = await client.get("/")
         assert page.status_code == 503
         assert "make setup" in page.json()["detail"]

@@ -153,9 +153,10 @@ def logged(monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
     root = logging.getLogger()
     handlers, level, text = root.handlers, root.level, io.StringIO()
 
-    def start(form: Any, least: Any = "info") -> io.StringIO:
+    def start(least: Any = "info", *, terminal: bool = False) -> io.StringIO:
         monkeypatch.setattr(sys, "stderr", text)  # only now: pytest puts its own there before each test
-        configure(form, least)
+        monkeypatch.setattr("backend.logs.on_terminal", lambda: terminal)
+        configure(least)
         return text
 
     yield start
@@ -179,7 +180,7 @@ def accesses(text: io.StringIO, name: str) -> list[dict[str, Any]]:
 
 
 def test_each_request_is_one_line_with_its_name_and_template(client: httpx.Client, logged: Any) -> None:
-    text = logged("json")
+    text = logged()
     client.get("/healthz", headers={"X-Request-ID": "trace-8"})
     client.get(f"/api/v1/runs/{MARK}?{MARK}", headers={"X-Request-ID": "trace-8", "User-Agent": MARK})
     entries = accesses(text, "trace-8")
@@ -208,7 +209,7 @@ def test_what_goes_wrong_is_logged_under_its_requests_name(
         raise RuntimeError("for the log alone")
 
     monkeypatch.setattr(service.services.runs, "create", fail)
-    text = logged("json")
+    text = logged()
     response = service.post("/api/v1/runs", json={"strategies": ["passive"]}, headers={"X-Request-ID": "trace-9"})
     assert response.status_code == 500
     error = next(line for line in lines(text) if line["level"] == "error")
@@ -222,9 +223,9 @@ def test_what_goes_wrong_is_logged_under_its_requests_name(
 FORGED = 'x\n{"event": "forged", "level": "error"}\r\x1b[2J\x00\u2028\u0085y'
 
 
-@pytest.mark.parametrize("form", ["json", "console"])
-def test_no_text_makes_a_line_of_its_own_or_a_colour(logged: Any, form: str) -> None:
-    text = logged(form, "error")  # what the service says of its work meanwhile is none
+@pytest.mark.parametrize("terminal", [False, True])
+def test_no_text_makes_a_line_of_its_own_or_a_colour(logged: Any, terminal: bool) -> None:
+    text = logged("error", terminal=terminal)  # what the service says of its work meanwhile is none
     logging.getLogger("some.library").error("it said %s", FORGED, extra={"more": FORGED})
     logging.getLogger("backend.some").error(FORGED, extra={"value": FORGED, "nested": {"deep": [FORGED]}})
     coloured = "Started server process [\x1b[36m%d\x1b[0m]"  # as uvicorn says it
@@ -234,22 +235,19 @@ def test_no_text_makes_a_line_of_its_own_or_a_colour(logged: Any, form: str) -> 
     assert not set(content) & ({chr(code) for code in CONTROL} - {"\n"})
     assert "Started server process [7]" in content
     assert not re.search(r"color|\[36m", content)
-    if form == "json":
+    if not terminal:
         assert [line["event"] for line in lines(text)][:2] == ["it said " + FORGED, FORGED]
 
 
 def test_without_a_terminal_logs_are_json_from_the_level_that_is_named(logged: Any) -> None:
-    text = logged(None, "error")
+    text = logged("error")
     logging.getLogger("some").warning("quiet")
     logging.getLogger("some").error("loud")
     assert [line["event"] for line in lines(text)] == ["loud"]
 
 
-def test_a_terminal_is_told_of_requests_and_of_what_an_end_waits_for_and_not_of_each_step(
-    logged: Any, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("backend.logs.on_terminal", lambda: True)
-    text = logged(None)
+def test_a_terminal_is_told_of_requests_and_of_what_an_end_waits_for_and_not_of_each_step(logged: Any) -> None:
+    text = logged(terminal=True)
     logging.getLogger("uvicorn.error").info("Waiting for application startup.")
     logging.getLogger("uvicorn.error").info("Waiting for connections to close. (CTRL+C to force quit)")
     logging.getLogger("uvicorn.error").warning("Invalid HTTP request received.")

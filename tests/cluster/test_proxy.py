@@ -14,13 +14,13 @@ import pytest
 
 from backend.api.roads import LONGEST_GRID
 from backend.http.problems import Problem
-from backend.settings import Settings
+from backend.settings import MAX_BODY_BYTES
 from tests.cluster.replica import Replica
 from tests.servers.haproxy import Proxy
 from tests.servers.process import HANG_TIMEOUT, ROOT, request, wait_until
 from tests.servers.programs import find
 
-LONGEST, LONGEST_ROAD = Settings().max_body_bytes, LONGEST_GRID
+LONGEST, LONGEST_ROAD = MAX_BODY_BYTES, LONGEST_GRID
 REQUEST_TIMEOUT = 2.0  # what the hasty proxy gives a request to arrive; ten seconds in production [s]
 
 

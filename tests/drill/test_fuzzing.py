@@ -123,7 +123,7 @@ def _good(response: httpx.Response) -> Any:
 @pytest.fixture
 def client(tmp_path: Path) -> Iterator[httpx.Client]:
     """The shipped limits except for the cost, so that much is computed and nothing takes minutes."""
-    settings = Settings(data_dir=tmp_path, workers=2, max_request_cost=3, max_batch_runs=200, max_batch_cost=20)
+    settings = Settings(data_dir=tmp_path, workers=2, max_request_cost=3, max_batch_cost=20)
     yield from serve(settings)
 
 

@@ -44,7 +44,7 @@ def replicas(url: str, forwarders: list[Forwarder], tmp_path: Path) -> Iterator[
         both: list[Process] = []
         for number, forwarder in enumerate(forwarders):
             address = make_url(url).set(port=forwarder.port).render_as_string(hide_password=False)
-            variables = {"RIDELAB_DATABASE_URL": address, "RIDELAB_LOG_FORMAT": "console"}
+            variables = {"RIDELAB_DATABASE_URL": address}
             both.append(started.enter_context(Process(tmp_path, f"api-{number}", **variables)))
             both[-1].wait_until_ready()
         yield both

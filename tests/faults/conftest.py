@@ -13,8 +13,6 @@ from backend.store import Store
 from tests.data import release
 from tests.servers.process import HANG_TIMEOUT, Api, is_worker, wait_until
 
-PAGE = '<!doctype html><html><head><meta charset="utf-8"><title>Ridelab</title></head><body></body></html>'
-
 
 class Process(Api):
     """A started service."""
@@ -109,14 +107,11 @@ def database(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="session")
 def service(database: Path) -> Iterator[Process]:
     """One service for every test it can outlive: workers killed, batches cancelled, no room on the disk."""
-    frontend = database.parent.parent / "dist"
-    frontend.mkdir()
-    (frontend / "index.html").write_text(PAGE)  # a built one, as far as the service cares
     limits = {"RIDELAB_WORKERS": "2", "RIDELAB_MAX_REQUEST_COST": "1000"}
     controllers = database.parent.parent / "controllers"
     controllers.mkdir()
     release.write_controllers(controllers)
     for start in starter(database.parent.parent):
-        started = start(**limits, RIDELAB_FRONTEND_DIR=str(frontend), RIDELAB_CONTROLLERS=str(controllers))
+        started = start(**limits, RIDELAB_CONTROLLERS=str(controllers))
         started.finish()
         yield started

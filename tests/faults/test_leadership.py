@@ -70,7 +70,7 @@ class Hasty(Process):
 @pytest.fixture
 def replicas(url: str, tmp_path: Path) -> Iterator[list[Hasty]]:
     """Two, on one database."""
-    variables = {"RIDELAB_DATABASE_URL": url, "RIDELAB_LOG_FORMAT": "console"}
+    variables = {"RIDELAB_DATABASE_URL": url}
     with contextlib.ExitStack() as started:
         both = [started.enter_context(Hasty(tmp_path, f"api-{number}", **variables)) for number in range(2)]
         for each in both:

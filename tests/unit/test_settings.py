@@ -60,7 +60,6 @@ def test_where_the_data_are_is_the_database_without_its_password(scheme: str, tm
         ("DASK_TLS_CA_FILE", "/dev/null", "RIDELAB_DASK_TLS_CERT_FILE"),
         ("FORWARDED_ALLOW_IPS", "proxy.example.com", "FORWARDED_ALLOW_IPS: "),
         ("FORWARDED_ALLOW_IPS", "10.0.0.1/8", "FORWARDED_ALLOW_IPS: "),
-        ("FRONTEND_DIR", "/absent", "FRONTEND_DIR: "),
         ("DATA_DIR", __file__, "DATA_DIR: "),
         ("ECU_DIR", __file__, "ECU_DIR: "),
         ("DATA_DIR", "", "^RIDELAB_DATA_DIR: it is empty; leave it out for the default$"),
@@ -80,6 +79,10 @@ def test_a_setting_of_an_earlier_release_is_named_and_has_no_effect() -> None:
     assert said is not None
     assert re.search(r"RIDELAB_BODY_TIMEOUT \(.*50 kB/s.*RIDELAB_HEAD_TIMEOUT \(", said)
     assert removed_in({"RIDELAB_WORKERS": "2"}) is None
+
+
+def test_there_are_no_more_settings_than_an_operator_reads() -> None:
+    assert len(Settings.model_fields) <= 25
 
 
 def test_nothing_is_no_value_but_where_it_is_the_default() -> None:
