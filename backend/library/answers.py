@@ -3,30 +3,16 @@
 import dataclasses
 from collections.abc import Mapping
 from functools import cache
-from typing import Any
 
 import orjson
-from pydantic import BaseModel
 
 from backend import custom_controllers
 from backend.http.kinds import KINDS
 from backend.json_types import JsonObject
-from backend.library.models import (
-    Catalogue,
-    ConditionalReadsAnswer,
-    PresetAnswer,
-    ProblemAnswer,
-    StrategyAnswer,
-    VehicleAnswer,
-)
 from backend.runs import figures
-from sim_core import catalogue as core
+from sim_core import library
 from sim_core.comparison.variation import one_road_resolution
-from sim_core.comparison.vehicle_facts import vehicle_facts
-from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
-from sim_core.scenario.data_sheet import DataSheet
-from sim_core.scenario.presets import PRESETS
-from sim_core.scenario.vehicles import VEHICLES, VehiclePreset
+from sim_core.scenario import dotted
 from sim_core.strategies import reads
 from sim_core.strategies import strategies as known_strategies
 from sim_core.strategies.effects import conditional_reads
@@ -37,53 +23,47 @@ def schema() -> bytes:
 
     Beside it stands the schema of a data sheet, which `POST /vehicles/from-data-sheet` takes.
     """
-    plain = _scenario_schema()
+    plain = _plain_schema()
     parts = {f"{dotted.OWN}{each.id}": each for each in custom_controllers.descriptions() if each.options}
     options = {
         "properties": {each.id: {"$ref": f"#/$defs/{name}", "title": each.label} for name, each in parts.items()}
     }
     of_each = {name: {"description": each.text, **_options(each.options)} for name, each in parts.items()}
     definitions = {**plain["$defs"], **of_each, "Own": {**plain["$defs"]["Own"], **options}}
-    beside = {"schema_version": SCHEMA_VERSION, "data_sheet": DataSheet.model_json_schema()}
-    return orjson.dumps({**plain, "$defs": definitions, **beside})
+    return orjson.dumps({**plain, "$defs": definitions})
 
 
 @cache
-def _scenario_schema() -> JsonObject:
-    return Scenario.model_json_schema()
+def _plain_schema() -> JsonObject:
+    return library.schema()
 
 
 @cache
 def presets() -> bytes:
-    """Every preset, the paper's first."""
-    return _json([PresetAnswer.model_validate(preset) for preset in PRESETS.values()])
+    """Return every preset, the paper's first."""
+    return orjson.dumps(library.presets())
 
 
 @cache
 def vehicles() -> bytes:
-    """Every vehicle with its sources."""
-    return _json([_vehicle(preset) for preset in VEHICLES.values()])
-
-
-def _vehicle(preset: VehiclePreset) -> VehicleAnswer:
-    own = {name: getattr(preset, name) for name in ("id", "label", "description", "vehicle", "sources", "derived")}
-    return VehicleAnswer(**own, **vehicle_facts(preset.vehicle))
+    """Return every vehicle with its sources."""
+    return orjson.dumps(library.vehicles())
 
 
 def strategies() -> bytes:
     """Every strategy."""
-    return _json(
+    return orjson.dumps(
         [
-            StrategyAnswer(
-                id=strategy.id,
-                label=strategy.label,
-                description=strategy.description(),
-                reads=reads(strategy),
-                reads_when=[ConditionalReadsAnswer.model_validate(each) for each in conditional_reads(strategy)],
-                one_road_resolution=one_road_resolution(strategy.id),
+            {
+                "id": strategy.id,
+                "label": strategy.label,
+                "description": strategy.description(),
+                "reads": reads(strategy),
+                "reads_when": conditional_reads(strategy),
+                "one_road_resolution": one_road_resolution(strategy.id),
                 **dataclasses.asdict(figures.style_of(strategy.id)),
                 **_origin(strategy.id),
-            )
+            }
             for strategy in known_strategies().values()
         ]
     )
@@ -109,16 +89,14 @@ def _options(options: Mapping[str, JsonObject]) -> JsonObject:
 
 @cache
 def problems() -> bytes:
-    """Every kind of problem, by status."""
-    return _json([ProblemAnswer(**dataclasses.asdict(kind)) for kind in KINDS.values()])
+    """Return every kind of problem, by status."""
+    return orjson.dumps(list(KINDS.values()))
 
 
 @cache
 def catalogue() -> bytes:
-    """The core's catalogue."""
-    lists = {name: getattr(core, name.upper()) for name in Catalogue.model_fields}
-    plain = {name: list(items.values()) if isinstance(items, dict) else items for name, items in lists.items()}
-    return _json(Catalogue(**plain))
+    """Return the core's catalogue."""
+    return orjson.dumps(library.catalogue())
 
 
 def figure_templates() -> bytes:
@@ -130,7 +108,3 @@ def warm() -> None:
     """Build every answer, so that the first request finds it."""
     for make in (schema, presets, vehicles, strategies, problems, catalogue, figure_templates):
         make()
-
-
-def _json(content: BaseModel | list[Any]) -> bytes:
-    return orjson.dumps(content, default=lambda model: model.model_dump(mode="json"))

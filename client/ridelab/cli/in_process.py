@@ -13,18 +13,7 @@ from ridelab.cli.reporting import InputError, UnavailableError, waiting
 from ridelab.client import Ridelab
 from ridelab.http import plain
 
-_LISTS = (
-    "signals",
-    "metric_signals",
-    "paper_signals",
-    "windows",
-    "statistics",
-    "stages",
-    "comfort",
-    "events",
-    "run_figures",
-    "references",
-)
+_NAMES = ("/schema", "/catalogue", "/presets", "/vehicles")  # each a function of sim_core.library
 
 
 class InProcess(Ridelab):
@@ -39,9 +28,14 @@ class InProcess(Ridelab):
 
     def get(self, path: str, params: Mapping[str, Any] | None = None) -> Any:
         """The JSON at a path below `/api/v1`."""
-        answer = _NAMES.get(path)
         try:
-            return self._service().get(path, params) if answer is None else answer()
+            if path == "/strategies":
+                return _strategies()
+            if path not in _NAMES:
+                return self._service().get(path, params)
+            from sim_core import library
+
+            return getattr(library, path[1:])()
         except ImportError as error:  # a core that is there and cannot be used says why
             raise UnavailableError(str(error)) from None
 
@@ -60,65 +54,10 @@ class InProcess(Ridelab):
             raise
 
 
-def _schema() -> Any:
-    from sim_core.scenario import SCHEMA_VERSION, Scenario
-    from sim_core.scenario.data_sheet import DataSheet
-
-    beside = {"schema_version": SCHEMA_VERSION, "data_sheet": DataSheet.model_json_schema()}
-    return {**Scenario.model_json_schema(), **beside}
-
-
-def _catalogue() -> Any:
-    from sim_core import catalogue
-
-    lists = {name: getattr(catalogue, name.upper()) for name in _LISTS}
-    return {
-        name: list(map(asdict, each.values())) if isinstance(each, dict) else list(each) for name, each in lists.items()
-    }
-
-
 def _strategies() -> Any:
-    from sim_core.strategies import STRATEGIES
+    from sim_core import STRATEGIES
 
     return [{"id": each.id, "label": each.label} for each in STRATEGIES.values()]
-
-
-def _presets() -> Any:
-    from sim_core.scenario.presets import PRESETS
-
-    return [
-        {
-            "id": each.id,
-            "label": each.label,
-            "description": each.description,
-            "scenario": each.scenario.model_dump(mode="json"),
-        }
-        for each in PRESETS.values()
-    ]
-
-
-def _vehicles() -> Any:
-    from sim_core.comparison.vehicle_facts import vehicle_facts
-    from sim_core.scenario.vehicles import VEHICLES
-
-    names = ("id", "label", "description", "sources", "derived")
-    return [
-        {
-            **{name: getattr(each, name) for name in names},
-            "vehicle": each.vehicle.model_dump(mode="json"),
-            **vehicle_facts(each.vehicle),
-        }
-        for each in VEHICLES.values()
-    ]
-
-
-_NAMES: Mapping[str, Callable[[], Any]] = {
-    "/schema": _schema,
-    "/catalogue": _catalogue,
-    "/strategies": _strategies,
-    "/presets": _presets,
-    "/vehicles": _vehicles,
-}
 
 
 def _said(error: Mapping[str, Any]) -> str:

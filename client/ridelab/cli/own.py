@@ -14,35 +14,7 @@ from ridelab.cli.service import check_core, server_environment
 
 LIMIT = 60.0  # a check drives some short roads, which takes seconds [s]
 _NAME = re.compile("[a-z][a-z0-9_]*")
-_TEMPLATE = '''"""A controller for Ridelab; `ridelab check {name}.py` says what is wrong with it."""
-
-import numpy as np
-
-from sim_core import Controller, option
-
-
-class {kind}(Controller):
-    """Damps the body over each axle against the sky."""
-
-    id, label = "{name}", "{label}"
-    damping: float = option(3000.0, unit="N s/m", ge=0, le=20_000, help="Force per velocity of the body.")
-
-    def start(self, setup):
-        """Once a run: what the car is."""
-        self.arms = np.array([-setup.vehicle.cg_to_front, setup.vehicle.cg_to_rear])
-
-    def force(self, seen):
-        """Once a control step: both forces, front and rear [N], up on the body."""
-        return -self.damping * (seen.state[4] + self.arms * seen.state[5])
-
-    # To see the road ahead as seen.preview, set this beside damping: preview, prediction_horizon = "lookahead", 20
-
-    # The same as a linear law, which runs much faster, has frequency responses and leaves as an FMU. In place of force:
-    # def linear_law(self, stage):
-    #     gain = np.zeros((2, 10))  # force = gain @ [eight states; both forces before]
-    #     gain[:, 4], gain[:, 5] = -self.damping, -self.damping * self.arms
-    #     return LinearLaw(gain=gain)  # from sim_core import LinearLaw
-'''
+_TEMPLATE = Path(__file__).with_name("new_controller.txt")
 NEW = typer.Typer(help="Write a file to begin with.", no_args_is_help=True)
 
 
@@ -60,7 +32,7 @@ def new_controller(
     if not _NAME.fullmatch(name):
         raise InputError("NAME begins with a small letter and has small letters, digits and underscores only")
     words = name.split("_")
-    text = _TEMPLATE.format(
+    text = _TEMPLATE.read_text(encoding="utf-8").format(
         name=name, kind="".join(map(str.capitalize, words)), label=" ".join(words).strip().capitalize()
     )
     file = Path(f"{name}.py")

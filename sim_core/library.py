@@ -1,0 +1,46 @@
+"""What there is to choose from, as plain JSON: the scenario's schema, the catalogue, presets and vehicles."""
+
+from dataclasses import fields
+from typing import Any
+
+from pydantic import BaseModel
+
+from sim_core import catalogue as names
+from sim_core.comparison.vehicle_facts import vehicle_facts
+from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.scenario.data_sheet import DataSheet
+from sim_core.scenario.presets import PRESETS
+from sim_core.scenario.vehicles import VEHICLES
+
+Json = dict[str, Any]
+_QUANTITIES = ("signals", "windows", "statistics", "stages", "comfort", "events", "run_figures", "references")
+
+
+def schema() -> Json:
+    """Return the scenario's JSON Schema with its version, and beside it that of a data sheet."""
+    beside = {"schema_version": SCHEMA_VERSION, "data_sheet": DataSheet.model_json_schema()}
+    return {**Scenario.model_json_schema(), **beside}
+
+
+def catalogue() -> Json:
+    """Return everything that has a name and a unit, and which signals have metrics and which the paper compares."""
+    keys = {"metric_signals": list(names.METRIC_SIGNALS), "paper_signals": list(names.PAPER_SIGNALS)}
+    lists = {name: getattr(names, name.upper()) for name in _QUANTITIES}
+    return {name: [_plain(each) for each in items.values()] for name, items in lists.items()} | keys
+
+
+def presets() -> list[Json]:
+    """Return every preset, the paper's first."""
+    return [_plain(each) for each in PRESETS.values()]
+
+
+def vehicles() -> list[Json]:
+    """Return every vehicle with its sources, characteristics and cautions."""
+    return [_plain(each) | vehicle_facts(each.vehicle) for each in VEHICLES.values()]
+
+
+def _plain(entry: Any) -> Json:
+    values = {each.name: getattr(entry, each.name) for each in fields(entry)}
+    return {
+        name: each.model_dump(mode="json") if isinstance(each, BaseModel) else each for name, each in values.items()
+    }
