@@ -12,7 +12,7 @@ import numpy as np
 
 from backend.ecu import effort, firmware
 from backend.ecu.link import ProcessEcu, connected
-from benchmarks.cortex_m3 import CortexM3
+from benchmarks.cortex_m3 import CortexM3, Spent
 from sim_core import Mpc, Scenario, simulate
 from sim_core.ecu.calibration import Calibration, Checked
 from sim_core.ecu.interface import Ecu, Frame, Reply
@@ -23,21 +23,37 @@ SIZES: tuple[tuple[int, int, Checked], ...] = ((30, 20, "all"), (30, 20, "few"),
 RANKS = (-1, -5, -20, -100)  # the busiest steps, from the end
 
 
-class _Noting(Ecu):
-    def __init__(self) -> None:
+class RecordedDrive(Ecu):
+    """An ECU's program in a drive of `lv_hil`; `steps` has each frame, its reply and how many operations that took."""
+
+    def __init__(self, scenario: Scenario, checked: Checked = "all") -> None:
         self.steps: list[tuple[Frame, Reply, int]] = []
+        self.calibration = ecu_calibration(scenario, checked)
         self._program: ProcessEcu | None = None
+        simulate(scenario, LvHil(connect=self._connect, checked=checked))
+        self.by_operations = sorted(range(1, len(self.steps)), key=lambda k: self.steps[k][2])
 
     @contextmanager
-    def connect(self, calibration: Calibration) -> Iterator[Ecu]:
+    def _connect(self, calibration: Calibration) -> Iterator[Ecu]:
         with connected(calibration) as self._program:
             yield self
 
     def exchange(self, frame: Frame) -> Reply:
+        """Answer a frame as the program does."""
         assert self._program is not None  # noqa: S101  # entered before it is asked
         reply = self._program.exchange(frame)
         self.steps.append((frame, reply, self._program.operations[-1]))
         return reply
+
+    def emulated(self, machine: CortexM3, k: int) -> tuple[Spent, tuple[int, int]]:
+        """Have an emulated processor answer frame k: what that took, and its commands."""
+        frame = self.steps[k][0]
+        before = np.array(self.steps[k - 1][1].commands if k else (0, 0)) * self.calibration.command_step
+        machine.write("controller", machine.read("controller", 4) + struct.pack("<2f", *before))
+        machine.write("ridelab_firmware_input", struct.pack("<i", frame.stage) + frame.codes.astype("<i4").tobytes())
+        spent = machine.call("ridelab_firmware_step")
+        front, rear = struct.unpack("<2i", machine.read("ridelab_firmware_output", 8))
+        return spent, (front, rear)
 
 
 def main() -> None:
@@ -46,19 +62,12 @@ def main() -> None:
     print("Np  Nc  limits  iterations  operations  instructions     cycles  cycles/operation  stack")
     for prediction, control, checked in SIZES:
         mpc = Mpc(prediction_horizon=prediction, control_horizon=control, force_limit=1500, deflection_limit=0.03)
-        scenario = Scenario(mpc=mpc)
-        calibration, noting = ecu_calibration(scenario, checked), _Noting()
-        simulate(scenario, LvHil(connect=noting.connect, checked=checked))
-        machine = CortexM3(firmware.image(calibration))
+        drive = RecordedDrive(Scenario(mpc=mpc), checked)
+        machine = CortexM3(firmware.image(drive.calibration))
         machine.call("ridelab_firmware_start")
-        order = sorted(range(1, len(noting.steps)), key=lambda k: noting.steps[k][2])
-        for k in (order[0], *(order[rank] for rank in RANKS)):
-            frame, reply, operations = noting.steps[k]
-            before = np.array(noting.steps[k - 1][1].commands) * calibration.command_step
-            machine.write("controller", machine.read("controller", 4) + struct.pack("<2f", *before))
-            codes = frame.codes.astype("<i4").tobytes()
-            machine.write("ridelab_firmware_input", struct.pack("<i", frame.stage) + codes)
-            spent = machine.call("ridelab_firmware_step")
+        for k in (drive.by_operations[0], *(drive.by_operations[rank] for rank in RANKS)):
+            _, reply, operations = drive.steps[k]
+            spent, _ = drive.emulated(machine, k)
             ratios.append(spent.cycles / operations)
             print(
                 f"{prediction:<4}{control:<4}{checked:<6}{reply.iterations:>12}{operations:>12}{spent.instructions:>14}"

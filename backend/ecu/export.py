@@ -3,6 +3,7 @@
 import io
 import json
 import zipfile
+from collections.abc import Mapping
 from pathlib import Path
 
 from backend.ecu import tables
@@ -62,11 +63,18 @@ def archive(scenario: Scenario) -> bytes:
     Raises:
         RidelabError: There is no stabilising controller.
     """
-    content, plain = io.BytesIO(), json.dumps(scenario.model_dump(mode="json"), indent=1) + "\n"
-    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED, compresslevel=6) as zipped:
-        for name, text in sorted(files(ecu_calibration(scenario), plain).items()):
-            entry = zipfile.ZipInfo(f"{FOLDER}/{name}", _OLDEST)
+    plain = json.dumps(scenario.model_dump(mode="json"), indent=1) + "\n"
+    texts = sorted(files(ecu_calibration(scenario), plain).items())
+    return zipped({f"{FOLDER}/{name}": text.encode() for name, text in texts})
+
+
+def zipped(content: Mapping[str, bytes]) -> bytes:
+    """Return a zip of files by name that is always the same to the byte."""
+    file = io.BytesIO()
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED, compresslevel=6) as archive:
+        for name, data in content.items():
+            entry = zipfile.ZipInfo(name, _OLDEST)
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.external_attr = 0o644 << 16
-            zipped.writestr(entry, text)
-    return content.getvalue()
+            archive.writestr(entry, data)
+    return file.getvalue()

@@ -1,12 +1,11 @@
 """An FMU's zip."""
 
 import hashlib
-import io
 import json
-import zipfile
 from collections.abc import Sequence
 
 from backend.custom_controllers.registry import isolated
+from backend.ecu.export import zipped
 from backend.fmu.binaries import PLATFORMS, binaries
 from backend.fmu.controller import controller_model
 from backend.fmu.description import (
@@ -21,7 +20,6 @@ from backend.fmu.vehicle import vehicle_model
 from sim_core.ecu.sources import SOURCES as ECU_SOURCES
 from sim_core.scenario import Scenario
 
-_OLDEST = (1980, 1, 1, 0, 0, 0)  # the only time a zip can have that says nothing
 LICENCE = ECU_SOURCES.parent.parent / "LICENSE"
 
 
@@ -55,11 +53,4 @@ def _zipped(model: Model, scenario: Scenario, version: Version, platforms: Seque
     }
     if version == "3.0":
         content["sources/buildDescription.xml"] = build_description(model, version)
-    file = io.BytesIO()
-    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED, compresslevel=6) as archive:
-        for name, data in content.items():
-            entry = zipfile.ZipInfo(name, _OLDEST)
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = 0o644 << 16
-            archive.writestr(entry, data)
-    return file.getvalue()
+    return zipped(content)

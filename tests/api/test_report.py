@@ -104,40 +104,21 @@ def test_changes_refer_to_the_baseline_asked_for(client: httpx.Client, page: Ele
     assert "worse" in change(other, "passive")
 
 
-@pytest.mark.parametrize(("roughness", "preview_noise"), [(None, 0), (0, 0), (0, 1e-4)])
-def test_changes_of_one_road_refer_to_another_run_and_small_ones_are_random(
-    client: httpx.Client, run: dict[str, Any], roughness: float | None, preview_noise: float
+def test_changes_of_one_road_refer_to_another_run_strategy_by_strategy(
+    client: httpx.Client, run: dict[str, Any]
 ) -> None:
-    """A bump higher by 8 %: so do passive peaks grow, more than 7 %; what LV's grow by is within its 15 %."""
-    scenario = {**run["scenario"], "road": {**run["scenario"]["road"]}}
-    if roughness is not None:
-        scenario["road"]["roughness"] = roughness
-        scenario["mismatch"] = {**scenario["mismatch"], "preview_noise": preview_noise}
-        run = client.post("/api/v1/runs", json={"scenario": scenario, "strategies": ["lv", "passive"]}).json()
-    scenario["road"]["bump"] = {**scenario["road"]["bump"], "height": 1.08 * scenario["road"]["bump"]["height"]}
-    other = client.post("/api/v1/runs", json={"scenario": scenario, "strategies": ["lv", "passive"]}).json()
-    text = client.get(f"/api/v1/runs/{other['id']}/report.html", params={"against": run["id"]}).text
-    page = read(text)
+    """A bump higher by 8 %: so do passive peaks grow, beyond what is random; LV's grow by less."""
+    road = run["scenario"]["road"]
+    higher = {**run["scenario"], "road": {**road, "bump": {**road["bump"], "height": 1.08 * road["bump"]["height"]}}}
+    other = client.post("/api/v1/runs", json={"scenario": higher, "strategies": ["lv", "passive"]}).json()
+    page = read(client.get(f"/api/v1/runs/{other['id']}/report.html", params={"against": run["id"]}).text)
     check(page)
-    assert "not beyond the random variation of one road" in text
+    assert "not beyond the random variation of one road" in page.text
     cells = {
         row.attributes["data-strategy"]: cell.text for row in page.all("tr") for cell in row.all("td", data_cell=CELL)
     }
-    values = {name: each["strategies"] for name, each in (("new", other), ("old", run))}
-    change = {
-        name: 100
-        * (
-            values["new"][name]["metrics"]["bump"]["body_acceleration"]["peak"]
-            / values["old"][name]["metrics"]["bump"]["body_acceleration"]["peak"]
-            - 1
-        )
-        for name in ("lv", "passive")
-    }
-    assert change["passive"] > 7
-    assert abs(change["lv"]) < 15
     assert "worse" in cells["passive"]
-    assert ("worse" in cells["lv"]) is (roughness == preview_noise == 0), "without anything random each change counts"
-    assert "better" not in cells["lv"]
+    assert not {"worse", "better"} & set(cells["lv"].split())
 
 
 CELL = "bump.body_acceleration.peak"

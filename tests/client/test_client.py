@@ -168,24 +168,6 @@ def test_a_tuning_counts_its_trials(ridelab: Ridelab, prepared: Prepared) -> Non
     assert repr(found) == f"Tuning({tuning}: done, 7 done, 1 failed of 8)"
 
 
-def test_frequencies_are_asked_for_by_stage(ridelab: Ridelab, prepared: Prepared) -> None:
-    prepared.answers["POST /frequency"] = {"frequency": [1.5], "strategies": {}}
-    assert ridelab.frequency(SHORT, ["lv"], frequencies=[1.5], stage="bump")["frequency"] == [1.5]
-    (asked,) = prepared.bodies("POST /frequency")
-    assert asked == {
-        "scenario": SHORT,
-        "strategies": ["lv"],
-        "frequencies": [1.5],
-        "outputs": None,
-        "stage": "bump",
-    }
-
-
-def test_an_instant_is_asked_for_by_place(ridelab: Ridelab, prepared: Prepared) -> None:
-    prepared.answers[f"GET /runs/{RUN}/instant"] = {"strategy": "lv", "why": "So."}
-    assert ridelab.instant(RUN, "lv", position=40.5)["why"] == "So."
-
-
 def test_a_solution_is_typed(ridelab: Ridelab, prepared: Prepared) -> None:
     numbers = {"value": 0.064, "metric_value": 3.99, "resolution": 7.0, "resolved_value": 0.06, "runs": 20}
     words = {"run_id": RUN, "unit": "m", "metric_unit": "m/s^2", "warnings": [], "tried": []}

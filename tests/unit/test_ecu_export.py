@@ -2,12 +2,9 @@
 
 import io
 import re
-import struct
 import subprocess
 import sys
 import zipfile
-from collections.abc import Iterator
-from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 
@@ -19,9 +16,9 @@ from backend.ecu import build, effort, export, firmware, tables
 from backend.ecu.link import connected
 from backend.ecu.report import ControllerVariant
 from benchmarks.cortex_m3 import CortexM3
+from benchmarks.ecu import RecordedDrive
 from sim_core import Bump, Hil, Mpc, Road, Scenario, Speed, simulate
 from sim_core.ecu.calibration import Calibration
-from sim_core.ecu.interface import Ecu, Frame, Reply
 from sim_core.ecu.sources import SOURCES
 from sim_core.strategies.calibration import ecu_calibration
 from sim_core.strategies.lv_hil import LvHil
@@ -99,47 +96,19 @@ def test_the_image_holds_what_the_tables_take(calibration: Calibration, image: f
     assert len(image.segments[0][1]) == image.sections[".text"]
 
 
-class Noting(Ecu):
-    """Passes frames to the program and keeps them, with the commands and how many operations they took."""
-
-    def __init__(self) -> None:
-        self.seen: list[tuple[Frame, tuple[int, int], int]] = []
-
-    @contextmanager
-    def connect(self, calibration: Calibration) -> Iterator[Ecu]:
-        with connected(calibration) as self._program:
-            yield self
-
-    def exchange(self, frame: Frame) -> Reply:
-        reply = self._program.exchange(frame)
-        self.seen.append((frame, reply.commands, self._program.operations[-1]))
-        return reply
-
-
 @pytest.mark.thorough
-def test_on_the_parts_processor_it_does_the_same_in_the_cycles_the_report_takes(
-    calibration: Calibration, image: firmware.Image
-) -> None:
+def test_on_the_parts_processor_it_does_the_same_in_the_cycles_the_report_takes(image: firmware.Image) -> None:
     """The emulated Cortex-M3 gives each command to the bit, and an operation's cycles as `effort` has them."""
-    noting = Noting()
-    simulate(SMALL, LvHil(connect=noting.connect))
-    frames = noting.seen
-    machine = CortexM3(image)
+    drive, machine = RecordedDrive(SMALL), CortexM3(image)
     machine.call("ridelab_firmware_start")
-    busiest = max(range(len(frames)), key=lambda k: frames[k][2])
-    ratios, deepest = [], 0
+    busiest = drive.by_operations[-1]
     for k in (0, 1, busiest - 2, busiest - 1, busiest, busiest + 1):
-        frame, commands, operations = frames[k]
-        before = np.array(frames[k - 1][1] if k else (0, 0)) * calibration.command_step
-        machine.write("controller", machine.read("controller", 4) + struct.pack("<2f", *before))
-        machine.write("ridelab_firmware_input", struct.pack("<i", frame.stage) + frame.codes.astype("<i4").tobytes())
-        spent = machine.call("ridelab_firmware_step")
-        assert struct.unpack("<2i", machine.read("ridelab_firmware_output", 8)) == commands
-        ratios.append(spent.cycles / (operations * effort.CYCLES_PER_OPERATION))
-        deepest = max(deepest, spent.stack)
+        _, reply, operations = drive.steps[k]
+        spent, commands = drive.emulated(machine, k)
+        assert commands == reply.commands
+        assert abs(spent.cycles / (operations * effort.CYCLES_PER_OPERATION) - 1) <= effort.SPREAD
+        assert spent.stack <= effort.STM32F103.stack
         assert spent.instructions < spent.cycles < 2 * spent.instructions
-    assert max(abs(ratio - 1) for ratio in ratios) <= effort.SPREAD
-    assert deepest <= effort.STM32F103.stack
 
 
 def test_a_variant_is_never_more_than_the_scenarios_own() -> None:

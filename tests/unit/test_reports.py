@@ -1,5 +1,6 @@
 """Reports without a service: numbers in words, the scenario's tables, caveats, and text that wants to be markup."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from datetime import UTC, datetime
 from typing import Any
@@ -20,67 +21,44 @@ from tests.html import check, read
 HOSTILE = "</script><script>alert(1)</script><img src=x onerror=alert(1)>\"'&{{7*7}}"
 
 
-@pytest.mark.parametrize(
-    ("value", "shown"),
-    [
-        (0.0, "0"),
-        (1e-12, "0"),
-        (0.8982, "0.898"),
-        (9.996, "10.0"),
-        (-43.72, "−43.7"),
-        (10543.0, "10\u202f543"),
-        (6.4e-5, "6.4×10⁻⁵"),
-        (2.5e9, "2.5×10⁹"),
-        (float("nan"), "–"),
+FORMATS: dict[Callable[..., str], list[tuple[tuple[float, ...], str]]] = {
+    numbers.significant: [
+        ((0.0,), "0"),
+        ((1e-12,), "0"),
+        ((0.8982,), "0.898"),
+        ((9.996,), "10.0"),
+        ((-43.72,), "−43.7"),
+        ((10543.0,), "10\u202f543"),
+        ((6.4e-5,), "6.4×10⁻⁵"),
+        ((2.5e9,), "2.5×10⁹"),
+        ((float("nan"),), "–"),
     ],
-)
-def test_three_significant_digits(value: float, shown: str) -> None:
-    assert numbers.significant(value) == shown
-
-
-@pytest.mark.parametrize(
-    ("value", "shown"),
-    [
-        (1536.7, "1536.7"),
-        (27000, "27\u202f000"),
-        (64e-6, "6.4×10⁻⁵"),
-        (1e-9, "1×10⁻⁹"),
-        (0, "0"),
-        (0.1, "0.1"),
-        (-0.06, "−0.06"),
+    numbers.exact: [  # of inputs every digit
+        ((1536.7,), "1536.7"),
+        ((27000,), "27\u202f000"),
+        ((64e-6,), "6.4×10⁻⁵"),
+        ((1e-9,), "1×10⁻⁹"),
+        ((0.1,), "0.1"),
+        ((-0.06,), "−0.06"),
     ],
-)
-def test_inputs_keep_every_digit(value: float, shown: str) -> None:
-    assert numbers.exact(value) == shown
-
-
-@pytest.mark.parametrize(
-    ("change", "shown"),
-    [
-        (-43.72, "−43.7\u2009%"),
-        (0.04, "0.0\u2009%"),
-        (-0.04, "0.0\u2009%"),
-        (741.2, "+741\u2009%"),
-        (1e6, "> +9999\u2009%"),
+    numbers.percent: [  # a sign unless it is nothing, and an interval's half where that is not nothing
+        ((-43.72,), "−43.7\u2009%"),
+        ((0.04,), "0.0\u2009%"),
+        ((-0.04,), "0.0\u2009%"),
+        ((741.2,), "+741\u2009%"),
+        ((1e6,), "> +9999\u2009%"),
+        ((-43.7, 2.0), "−44 ± 2\u2009%"),
+        ((0.1, 0.04), "+0.1\u2009%"),
+        ((0.0, 0.0), "0.0\u2009%"),
+        ((-0.2, 3.0), "0 ± 3\u2009%"),
+        ((-12e3, 50.0), "< −9999 ± 50\u2009%"),
     ],
-)
-def test_changes_have_a_sign_unless_they_are_nothing(change: float, shown: str) -> None:
-    assert numbers.percent(change) == shown
+}
 
 
-@pytest.mark.parametrize(
-    ("change", "half", "shown"),
-    [
-        (-43.7, 2.0, "−44 ± 2\u2009%"),
-        (0.1, 0.04, "+0.1\u2009%"),
-        (0.0, 0.0, "0.0\u2009%"),
-        (-0.2, 3.0, "0 ± 3\u2009%"),
-        (12e3, 50.0, "> +9999 ± 50\u2009%"),
-        (-12e3, 50.0, "< −9999 ± 50\u2009%"),
-    ],
-)
-def test_an_interval_stands_where_it_is_not_nothing(change: float, half: float, shown: str) -> None:
-    assert numbers.percent(change, half) == shown
+@pytest.mark.parametrize(("form", "cases"), FORMATS.items(), ids=[form.__name__ for form in FORMATS])
+def test_numbers_as_a_report_shows_them(form: Callable[..., str], cases: list[tuple[tuple[float, ...], str]]) -> None:
+    assert [form(*values) for values, _ in cases] == [shown for _, shown in cases]
 
 
 def test_every_field_is_in_the_tables_and_what_differs_is_marked() -> None:
