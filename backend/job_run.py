@@ -1,11 +1,9 @@
 """The runs of a job: without a result, and stored with it. Workers import this, so it imports little."""
 
-import pickle
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-RUNS_PACKED = 1000  # together
+NO_KEY = "-"  # of a run whose strategy is not there now: it can be tried again
 
 
 class JobRun(NamedTuple):
@@ -15,14 +13,14 @@ class JobRun(NamedTuple):
         position: In the job.
         changes: JSON text: field -> value.
         strategy: Its id; of a reproduction the row's name.
-        key: Of its result; empty where it has failed when it was planned.
-        reason: Why it has.
+        key: Of its result, from when it is handed out; empty before that.
+        reason: Why it fails without being computed.
     """
 
     position: int
     changes: str
     strategy: str
-    key: str
+    key: str = ""
     reason: str | None = None
 
     def row(self, job_id: str) -> dict[str, object]:
@@ -32,24 +30,10 @@ class JobRun(NamedTuple):
             "position": self.position,
             "changes": self.changes,
             "strategy": self.strategy,
-            "status": "waiting" if self.key else "failed",
+            "status": "waiting" if self.reason is None else "failed",
             "result_key": self.key or None,
             "reason": self.reason,
         }
-
-
-class PackedRuns:
-    """The runs of a new job on their way from a worker to the database, unpacked some at a time.
-
-    As objects those of a large batch would hold up the service's other threads.
-    """
-
-    def __init__(self, runs: Sequence[JobRun]) -> None:
-        self._pages = [pickle.dumps(runs[first : first + RUNS_PACKED]) for first in range(0, len(runs), RUNS_PACKED)]
-
-    def __iter__(self) -> Iterator[JobRun]:
-        for page in self._pages:
-            yield from pickle.loads(page)  # noqa: S301 - our own worker's
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

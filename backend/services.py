@@ -1,6 +1,6 @@
 """The services of one application: each room's, made at the start from what they share, in one typed object."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from operator import attrgetter
 
@@ -40,7 +40,7 @@ from backend.runs.solve.service import Solver
 from backend.settings import Settings
 from backend.store import Store
 from backend.tunings.service import TuningService
-from backend.tunings.steps import TuningSteps
+from backend.tunings.steps import TUNING, TuningSteps
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -120,6 +120,7 @@ def make_services(settings: Settings, workers: Workers) -> Services:
         roads=roads,
         spool=spool,
     )
+    tunings = TuningService(store=store, batch_workers=batch_workers, gate=gate, settings=settings)
     own_files = Watch(settings.controller_timeout)
     tuning_steps = TuningSteps(store, batches, own_files)
     return Services(
@@ -141,7 +142,7 @@ def make_services(settings: Settings, workers: Workers) -> Services:
         analysis=ControlAnalysis(runs=runs, workers=workers, gate=gate, roads=roads),
         solver=Solver(runs=runs, gate=gate, roads=roads),
         batches=batches,
-        tunings=TuningService(store=store, batch_workers=batch_workers, gate=gate, settings=settings),
+        tunings=tunings,
         paper=Paper(rows=PaperRows(store), results=results, gate=gate),
         links=Links(store=store, workers=workers, runs=runs, gate=gate, roads=roads, recordings=recordings),
         controllers=Controllers(workers=workers, gate=gate, roads=roads),
@@ -150,7 +151,11 @@ def make_services(settings: Settings, workers: Workers) -> Services:
         scheduler=Scheduler(
             store=store,
             settings=settings,
-            kinds=(SWEEP, REPRODUCTION, tuning_steps.kind),
+            kinds=(
+                replace(SWEEP, plan=batches.plan),
+                REPRODUCTION,
+                replace(TUNING, plan=tunings.plan, step=tuning_steps.step),
+            ),
             connect=partial(_connect, settings, batch_workers),
             workers=batch_workers,
         ),

@@ -34,7 +34,7 @@ def sweep(samples: int, seed: int) -> dict[str, Any]:
 def core_rate(seed: int) -> tuple[float, float]:
     """LV runs a second of one process that does nothing else over such a sweep, and its processor time a run [ms]."""
     base = Scenario().model_dump(mode="json")
-    _, sweep_points = points(Sweep.model_validate(sweep(SAMPLE, seed)), base)
+    sweep_points = points(Sweep.model_validate(sweep(SAMPLE, seed)), base)
     scenarios = [scenario_at(base, changes) for changes in sweep_points]
     simulate(scenarios[0], "lv")
     begin, processor = time.perf_counter(), time.process_time()

@@ -18,6 +18,7 @@ from backend.batches.models import (
     BatchTable,
     Estimate,
 )
+from backend.batches.points import Sweep
 from backend.batches.service import BatchService
 from backend.batches.summary_models import RobustnessDefaults
 from backend.errors import InvalidError
@@ -59,20 +60,21 @@ async def create_batch(
     owner: Caller,
     idempotency_key: jobs.IdempotencyKey = None,
 ) -> Response:
-    """Submit a sweep; 202 comes after the commit: what was accepted completes, whatever crashes."""
+    """Submit a sweep; 202 comes at once, after the commit: what was accepted completes, whatever crashes.
+
+    It is planned then: what a dry run would refuse ends it as failed, with the same `problem`.
+    """
     batch = (body.scenario, body.strategies, body.sweep)
     if body.dry_run:
         return json_answer(await cancel_on_disconnect(request, service.estimate(*batch, client)))
-    creating = service.create(
+    job = await service.create(
         *batch,
-        client=client,
         key=jobs.key_of(owner, idempotency_key),
         label=body.label,
         owner=owner,
         baseline=body.baseline,
         requirements=body.requirements,
     )
-    job = await cancel_on_disconnect(request, creating)
     return api.accepted(await service.answer(job), job)
 
 
@@ -85,6 +87,12 @@ async def create_batch(
 async def resume_batch(job_id: jobs.JobId, service: Service, owner: Caller) -> Response:
     """What was cancelled of it, or failed for a reason that may have passed, is computed; with tokens its owner may."""
     return json_answer(await service.answer(await service.resume(job_id, owner)))
+
+
+@batches.get("/batches/{id}/sweep", operation_id="getBatchSweep", response_model=Sweep)
+async def get_batch_sweep(job_id: jobs.JobId, service: Service) -> Response:
+    """The sweep as it was sent, its fields by dotted names."""
+    return json_answer(await service.sweep(job_id))
 
 
 @reading.get(

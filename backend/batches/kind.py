@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from backend.batches.plan import rekeyed
+from backend.batches.plan import with_keys
 from backend.jobs.kind import JobKind
 from backend.metrics import BATCH_QUEUE, BATCHES
 from backend.runs.compute_run import compute
@@ -33,7 +33,7 @@ SWEEP = JobKind(
     run_pointer="/sweep",
     compute=compute,
     order=coarse_first,
-    rekey=rekeyed,
+    keys=with_keys,
     jobs_gauge=BATCHES,
     runs_gauge=BATCH_QUEUE,
 )

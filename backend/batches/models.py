@@ -8,6 +8,7 @@ from pydantic import ConfigDict, Field
 from backend.batches.points import Sweep
 from backend.batches.summary_models import Cell, StrategySummary
 from backend.jobs.models import Label
+from backend.jobs.problem import JobProblem
 from backend.json_types import JsonObject
 from backend.models import Answer, RequestModel, SentScenario, StrategyName
 from backend.requirements import Requirement, Requirements, Result
@@ -45,31 +46,33 @@ class BatchItem(Answer):
     id: str
     state: State
     reason: str | None = Field(description="Why the batch as a whole failed")
+    problem: JobProblem | None = Field(description="Where planning it failed: what a dry run would have answered")
     label: str | None
     position: int = Field(description="Runs of batches accepted earlier that wait, until it runs: then they take turns")
-    total: int
+    total: int | None = Field(description="Runs; null until it is planned")
     done: int
     failed: int
     core_version: str = Field(description="That accepted it; each row names the one that computed it")
     scenario: JsonObject
     strategies: list[str]
-    fields: list[BatchField]
-    notes: list[str] = Field([], description="Which of its runs are alike, and why; empty of old batches")
+    fields: list[BatchField] | None = Field(description="What the sweep changes; null until it is planned")
     baseline: str | None = Field(None, description="What its requirements' changes are against; null is passive")
     requirements: list[Requirement] = Field([], description="What its runs are held to; `/requirements` says how")
-    estimated_cost: float = Field(description="Estimate [s of one core]")
+    estimated_cost: float | None = Field(description="Estimate [s of one core]; null until it is planned")
     created_at: datetime
     started_at: datetime | None
     finished_at: datetime | None
 
     @classmethod
-    def of(cls, job: StoredJob, position: int) -> Self:
-        """A stored sweep with its place in the queue."""
+    def from_stored(cls, job: StoredJob, position: int, **more: object) -> Self:
+        """Make the answer of a stored sweep with its place in the queue."""
         linked = job.request.get("linked", {})
         leaders = {field: name for name, fields in linked.items() for field in fields}
-        fields = [_field(name, leaders.get(name)) for name in job.request["fields"]]
         own = {name: getattr(job, name) for name in cls.model_fields if hasattr(job, name)}
-        return cls(**job.request | own | {"fields": fields}, position=position)
+        own["fields"] = [_field(name, leaders.get(name)) for name in job.request["fields"]]
+        if not job.is_planned:
+            own |= dict.fromkeys(("total", "fields", "estimated_cost"))
+        return cls(**job.request | own, problem=job.progress.get("problem"), position=position, **more)
 
 
 def _field(name: str, leader: str | None) -> BatchField:
@@ -79,9 +82,9 @@ def _field(name: str, leader: str | None) -> BatchField:
 
 
 class Batch(BatchItem):
-    """A batch in its present state."""
+    """A batch in its present state; its sweep has an address of its own."""
 
-    sweep: JsonObject
+    resumable: bool = Field(description="Whether it has ended and something of it can be run, or planned, again")
 
 
 class Estimate(Answer):
@@ -91,9 +94,6 @@ class Estimate(Answer):
     total: int = Field(description="Runs: points times strategies")
     contradictory: int = Field(description="Runs whose fields contradict each other: they would be failed rows")
     estimated_cost: float = Field(description="Estimate, which is compared with the limit [s of one core]")
-    notes: list[str] = Field(
-        description="Which of its runs are alike, and why: fields that a strategy does not read, equal points"
-    )
     estimated_seconds: float | None = Field(description="By some runs tried just now [s]; none where trying takes long")
 
 

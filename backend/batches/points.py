@@ -6,6 +6,7 @@ value and makes the list of points, each a mapping of those fields to values.
 
 import itertools
 import math
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Annotated, Any, Self
 
@@ -37,6 +38,7 @@ Value = Annotated[
     ),
 ]
 MOST_ERRORS = 50
+FEW_VALUES = 1000  # are checked in some 10 ms
 
 
 def _by_field(description: str, default: Any = ...) -> Any:
@@ -99,41 +101,75 @@ def size(sweep: Sweep) -> int:
     return len(sweep.points or [])
 
 
-def axes(sweep: Sweep, names: Sequence[str]) -> dict[str, list[str]]:
-    """Of the fields that change, those that are swept -> those that take their value."""
-    linked = sweep.linked or {}
-    follow = {field for fields in linked.values() for field in fields}
-    return {name: linked.get(name, []) for name in names if name not in follow}
+def fields_of(sweep: Sweep) -> list[str]:
+    """Return the dotted names of the fields that the sweep changes."""
+    linked = itertools.chain.from_iterable((sweep.linked or {}).values())
+    return [*_places(sweep), *linked]
 
 
-def points(sweep: Sweep, base: JsonObject) -> tuple[list[str], list[PointChanges]]:
-    """The fields it changes, and every point; `base` is the plain scenario they start from.
+def check_at_once(sweep: Sweep, base: JsonObject) -> None:
+    """Check the sweep's names, and its values where they are few: of many that takes seconds.
+
+    Raises:
+        SweepError: As `points`.
+    """
+    values = sum(map(len, sweep.points or ())) + sum(map(len, (sweep.grid or {}).values()))
+    if values <= FEW_VALUES:
+        _checked_points(sweep, base)
+        return
+    errors: Errors = []
+    for name, path in _places(sweep).items():
+        _field(name, path, errors)
+    _check_links(sweep, errors, values=False)
+    _raise(errors)
+
+
+def points(sweep: Sweep, base: JsonObject, first: int = 0, count: int | None = None) -> list[PointChanges]:
+    """Return so many of the sweep's points; `base` is the plain scenario they start from.
 
     Raises:
         SweepError: Fields that do not exist, and values a field does not take.
     """
-    errors: list[tuple[list[str | int], str]] = []
-    if sweep.grid is not None:
-        names, draw = list(sweep.grid), _grid(sweep.grid, errors)
-    elif sweep.latin_hypercube is not None:
-        names, draw = list(sweep.latin_hypercube.ranges), _latin_hypercube(sweep.latin_hypercube, errors)
-    else:
-        listed = sweep.points or []
-        names = list(dict.fromkeys(itertools.chain(*listed)))
-        draw = _list(listed, names, base, errors)
-    linked = sweep.linked or {}
-    for name, fields in linked.items():
-        _check_link(sweep, name, fields, names, errors)
-    names = [*names, *(field for fields in linked.values() for field in fields)]
-    _no_overlap(names, errors)
-    if errors:
-        raise SweepError(errors[:MOST_ERRORS])
-    leaders = {field: name for name, fields in linked.items() for field in fields}
-    return names, [point | {field: point[name] for field, name in leaders.items()} for point in draw()]
+    draw = _checked_points(sweep, base)
+    leaders = {field: name for name, fields in (sweep.linked or {}).items() for field in fields}
+    drawn = draw(first, None if count is None else first + count)
+    return [point | {field: point[name] for field, name in leaders.items()} for point in drawn]
 
 
 Errors = list[tuple[list[str | int], str]]
-Points = Callable[[], Iterator[PointChanges]]
+Points = Callable[[int, int | None], Iterator[PointChanges]]  # from the first one to before the last one
+
+
+def _checked_points(sweep: Sweep, base: JsonObject) -> Points:
+    errors: Errors = []
+    if sweep.grid is not None:
+        draw = _grid(sweep.grid, errors)
+    elif sweep.latin_hypercube is not None:
+        draw = _latin_hypercube(sweep.latin_hypercube, errors)
+    else:
+        draw = _list(sweep.points or [], list(_places(sweep)), base, errors)
+    _check_links(sweep, errors)
+    _raise(errors)
+    return draw
+
+
+def _raise(errors: Errors) -> None:
+    if errors:
+        raise SweepError(errors[:MOST_ERRORS])
+
+
+def _places(sweep: Sweep) -> dict[str, list[str | int]]:
+    """Return where each swept field is named first."""
+    if sweep.grid is not None:
+        return {name: ["grid", name] for name in sweep.grid}
+    if sweep.latin_hypercube is not None:
+        return {name: ["latin_hypercube", "ranges", name] for name in sweep.latin_hypercube.ranges}
+    places: dict[str, list[str | int]] = {}
+    for index, point in enumerate(sweep.points or []):
+        for name in point:
+            if name not in places:
+                places[name] = ["list", index, name]
+    return places
 
 
 def _grid(grid: Mapping[str, Sequence[Any]], errors: Errors) -> Points:
@@ -141,7 +177,10 @@ def _grid(grid: Mapping[str, Sequence[Any]], errors: Errors) -> Points:
         name: [_checked(name, value, ["grid", name, index], errors) for index, value in enumerate(values)]
         for name, values in grid.items()
     }
-    return lambda: (dict(zip(checked, values, strict=True)) for values in itertools.product(*checked.values()))
+    every = itertools.product(*checked.values())
+    return lambda first, last: (
+        dict(zip(checked, values, strict=True)) for values in itertools.islice(every, first, last)
+    )
 
 
 def _list(listed: Sequence[JsonObject], names: Sequence[str], base: JsonObject, errors: Errors) -> Points:
@@ -149,10 +188,10 @@ def _list(listed: Sequence[JsonObject], names: Sequence[str], base: JsonObject, 
         {name: _checked(name, value, ["list", index, name], errors) for name, value in point.items()}
         for index, point in enumerate(listed)
     ]
-    if errors:
-        return lambda: iter(())
-    unchanged = {name: dotted.value(base, name) for name in names}
-    return lambda: ({name: point.get(name, unchanged[name]) for name in names} for point in named)
+    unchanged = {} if errors else {name: dotted.value(base, name) for name in names}
+    return lambda first, last: (
+        {name: point.get(name, unchanged[name]) for name in names} for point in named[first:last]
+    )
 
 
 def _latin_hypercube(cube: LatinHypercube, errors: Errors) -> Points:
@@ -168,12 +207,12 @@ def _latin_hypercube(cube: LatinHypercube, errors: Errors) -> Points:
             for index, end in enumerate(ends):
                 _checked(name, _whole(end) if field.kind == "integer" else end, [*path, index], errors)
 
-    def draw() -> Iterator[PointChanges]:
+    def draw(first: int, last: int | None) -> Iterator[PointChanges]:
         from scipy.stats import qmc  # takes half a second: most processes never draw
 
         names = list(cube.ranges)
         unit = qmc.LatinHypercube(d=len(names), rng=np.random.default_rng(cube.seed)).random(cube.samples)
-        for row in unit:
+        for row in unit[first:last]:
             values = zip(names, row, strict=True)
             yield {name: _scaled(name, float(value), cube.ranges[name]) for name, value in values}
 
@@ -212,23 +251,26 @@ def _checked(name: str, value: Any, path: list[str | int], errors: Errors) -> An
         return None
 
 
-def _check_link(sweep: Sweep, name: str, fields: Sequence[str], names: Sequence[str], errors: Errors) -> None:
-    path: list[str | int] = ["linked", name]
-    if name not in names:
-        errors.append((path, "Only a field that the sweep changes can be followed by others"))
-        return
-    own = _field(name, path, errors)
-    for index, field in enumerate(fields):
-        other = _field(field, [*path, index], errors)
-        if own is not None and other is not None and own.unit != other.unit:
-            errors.append(([*path, index], f"Has another unit than {name}: {other.unit}, not {own.unit}"))
-        elif other is not None:
-            for value in _values(sweep, name):
-                _checked(field, value, [*path, index], errors)
+def _check_links(sweep: Sweep, errors: Errors, *, values: bool = True) -> None:
+    names = list(_places(sweep))
+    for name, fields in (sweep.linked or {}).items():
+        path: list[str | int] = ["linked", name]
+        if name not in names:
+            errors.append((path, "Only a field that the sweep changes can be followed by others"))
+            continue
+        own = _field(name, path, errors)
+        for index, field in enumerate(fields):
+            other = _field(field, [*path, index], errors)
+            if own is not None and other is not None and own.unit != other.unit:
+                errors.append(([*path, index], f"Has another unit than {name}: {other.unit}, not {own.unit}"))
+            elif other is not None and values:
+                for value in _values(sweep, name):
+                    _checked(field, value, [*path, index], errors)
+    _check_overlaps(fields_of(sweep), errors)
 
 
 def _values(sweep: Sweep, name: str) -> Sequence[Any]:
-    """What that field is given: every value, or a range's ends."""
+    """Return what that field is given: every value, or a range's ends."""
     if sweep.grid is not None:
         return sweep.grid[name]
     if sweep.latin_hypercube is not None:
@@ -236,10 +278,11 @@ def _values(sweep: Sweep, name: str) -> Sequence[Any]:
     return [point[name] for point in sweep.points or [] if name in point]
 
 
-def _no_overlap(names: Sequence[str], errors: Errors) -> None:
-    """A field and one of its own members in one sweep would fight over the value."""
+def _check_overlaps(names: Sequence[str], errors: Errors) -> None:
+    """Refuse a field and one of its own members in one sweep, which would fight over the value."""
     for name in names:
         if name in dotted.fields() and any(other.startswith(name + ".") for other in names):
             errors.append(([], f"A sweep changes {name} either whole or in parts"))
-    for name in {name for name in names if names.count(name) > 1}:
-        errors.append((["linked"], f"{name} is changed twice"))
+    for name, count in Counter(names).items():
+        if count > 1:
+            errors.append((["linked"], f"{name} is changed twice"))

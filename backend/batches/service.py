@@ -1,9 +1,9 @@
 """Batches: accepted whole or refused, then read while the scheduler has them computed."""
 
 import asyncio
-from collections.abc import AsyncIterator, Awaitable, Callable, Iterable, Mapping, Sequence
+from collections.abc import AsyncIterator, Awaitable, Callable, Iterable, Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
@@ -12,7 +12,8 @@ from backend.batches import plan, rendering, table
 from backend.batches.judged import JudgedRuns
 from backend.batches.kind import SWEEP
 from backend.batches.models import Batch, Batches, BatchItem, BatchRequirements, BatchSummary, Estimate
-from backend.batches.points import Sweep, SweepError, size
+from backend.batches.plan import SweepBase
+from backend.batches.points import Sweep, SweepError, check_at_once, fields_of, size
 from backend.batches.summaries import Summaries
 from backend.compute.workers import Workers
 from backend.errors import ConflictError, InvalidError
@@ -20,6 +21,7 @@ from backend.file_formats import FormatName
 from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile
 from backend.job_run import JobRow
+from backend.jobs.kind import AddRuns, JobSize
 from backend.jobs.service import Jobs, request_hash
 from backend.json_types import JsonObject
 from backend.requirements import Requirement
@@ -33,9 +35,20 @@ from sim_core.scenario import Road, Scenario
 from sim_core.scenario.measured import MeasuredRoad
 
 ROWS_AT_ONCE = 250  # rows read in one transaction
+PLANNED_AT_ONCE = 5000  # runs
 PLAN_COST = 0.0002  # of one run [s of one core]
 QUICK = 0.3  # what takes less delays no interactive run [s of one core]
 T = TypeVar("T")
+
+
+@dataclass(slots=True, kw_only=True)
+class _Planned:
+    """What is planned so far."""
+
+    total: int = 0
+    contradictory: int = 0
+    cost: float = 0.0
+    max_run_cost: float = 0.0
 
 
 @dataclass(eq=False, kw_only=True)
@@ -65,19 +78,15 @@ class BatchService:
         self._summaries = Summaries(rows=self.rows, call=self._call, gate=self.gate, roads=self.roads)
 
     async def estimate(self, scenario: Scenario, strategies: Iterable[str], sweep: Sweep, client: str) -> Estimate:
-        """The size and the estimated time of that batch.
-
-        It is refused where `create` refuses it.
-        """
-        names, sent_scenario = ordered(strategies), scenario
-        scenario = await self.roads.settled(scenario)
-        base = scenario.model_dump(mode="json")
-        roads = await self._named_roads(base, _sent(sweep))
-        lengths = _lengths(sent_scenario, roads)
-        planned = await self._planned(base, names, sweep, lengths, client)
-        cost = plan.PILOTS * len(names) * min(plan.PILOT_LIMIT, planned.max_run_cost)
+        """Return the size and the estimated time of that batch, or the error that planning it would meet."""
+        names = ordered(strategies)
+        settled = await self._checked(scenario, names, sweep)
+        with self.gate.computing(client, PLAN_COST * size(sweep) * len(names)):
+            base, roads = await self._base(settled, names, sweep, given_length=_has_length(scenario))
+            planned = await self._planned(base, sweep, client)
+        cost = plan.TRIAL_RUNS * len(names) * min(plan.TRIAL_LIMIT, planned.max_run_cost)
         with self.gate.computing(client, cost):
-            seconds = await self._call(client, cost, plan.pilot, base, names, sweep, lengths, roads)
+            seconds = await self._call(client, cost, plan.trial_time, base, sweep, roads)
         points = planned.total // len(names)
         if seconds is not None:
             seconds *= points / self.settings.batch_workers
@@ -86,7 +95,6 @@ class BatchService:
             points=points,
             total=planned.total,
             contradictory=planned.contradictory,
-            notes=planned.notes,
             estimated_cost=planned.cost,
             estimated_seconds=seconds,
         )
@@ -97,7 +105,6 @@ class BatchService:
         strategies: Iterable[str],
         sweep: Sweep,
         *,
-        client: str,
         key: str | None = None,
         label: str | None = None,
         owner: str | None = None,
@@ -105,13 +112,12 @@ class BatchService:
         baseline: str | None = None,
         requirements: Sequence[Requirement] = (),
     ) -> StoredJob:
-        """Accept a batch: when this returns, it is committed.
+        """Accept a batch, which is planned later: when this returns, it is committed.
 
         Args:
             scenario: Whose fields the sweep changes.
             strategies: Ids.
             sweep: The points.
-            client: Who asks.
             key: The same key and request again give the same batch.
             label: A name for it.
             owner: The token's name.
@@ -121,56 +127,67 @@ class BatchService:
 
         Raises:
             ConflictError: The key had another request.
-            InvalidError: Fields or values cannot be used.
-            CostLimitError: It is over a limit.
-            TemporaryError: Too much is waiting.
+            InvalidError: Fields do not exist, or of few values one cannot be used.
+            CostLimitError: It has too many runs.
+            BusyError: Too much is waiting.
         """
-        names, sent, sent_scenario = ordered(strategies), _sent(sweep), scenario
-        scenario = await self.roads.settled(scenario)
-        base = scenario.model_dump(mode="json")
-        held: JsonObject = {}
+        names = ordered(strategies)
+        settled = await self._checked(scenario, names, sweep)
+        sent, held = _sent(sweep), dict[str, Any]()
         if requirements:
             required = [each.model_dump(mode="json", exclude_none=True) for each in requirements]
             held = {"baseline": baseline, "requirements": required}
-        hashed = request_hash({"scenario": scenario.identity(), "strategies": names, "sweep": sent, **held})
+        hashed = request_hash({"scenario": settled.identity(), "strategies": names, "sweep": sent, **held})
         existing = await self.jobs.existing(key, hashed)
         if existing is not None:
             return existing
-        lengths = _lengths(sent_scenario, await self._named_roads(base, sent))
-        self.jobs.check_runs(size(sweep) * len(names))
         await self.jobs.check_room()
-        planned = await self._planned(base, names, sweep, lengths, client)
         job = StoredJob(
             kind=SWEEP.name,
+            state="planning",
             parent_id=parent_id,
             label=label,
             owner=owner,
             request={
-                "scenario": base,
+                "scenario": settled.model_dump(mode="json"),
                 "strategies": names,
-                "fields": planned.fields,
+                "fields": fields_of(sweep),
                 "linked": sweep.linked or {},
                 "shape": [len(values) for values in (sweep.grid or {}).values()],
-                "notes": planned.notes,
+                "given_length": _has_length(scenario),
                 **held,
             },
             sweep=sent,
-            estimated_cost=planned.cost,
-            total=planned.total,
-            failed=planned.contradictory,
             request_hash=hashed,
         )
-        return await self.jobs.accept(job, planned.runs, key)
+        return await self.jobs.accept(job, key)
+
+    async def plan(self, job: StoredJob, add: AddRuns) -> JobSize:
+        """Plan a batch that was accepted.
+
+        Raises:
+            InvalidError: Values cannot be used, or a road is not there.
+            CostLimitError: It is over a limit.
+            TemporaryError: Later.
+        """
+        whole = await self.jobs.get(job.id)
+        request, sweep = whole.request, Sweep.model_validate(whole.sweep)
+        scenario = Scenario.model_validate(whole.scenario)
+        base, _ = await self._base(scenario, request["strategies"], sweep, given_length=request["given_length"])
+        stored = replace(base, scenario=request["scenario"], schema_version=whole.schema_version)
+        planned = await self._planned(stored, sweep, job.id, add)
+        return JobSize(total=planned.total, failed=planned.contradictory, estimated_cost=planned.cost)
 
     async def answer(self, job: StoredJob) -> Batch:
-        """The batch as it is answered."""
-        return Batch.of(job, (await self.jobs.positions(job))[job.id])
+        """Return the batch as it is answered."""
+        position = (await self.jobs.positions(job))[job.id]
+        return Batch.from_stored(job, position, resumable=await self._is_resumable(job))
 
     async def page(self, *, limit: int, cursor: str | None, state: State | None, label: str | None) -> Batches:
         """The newest batches, without their sweeps."""
         jobs, after = await self.jobs.page(limit=limit, cursor=cursor, state=state, label=label)
         positions = await self.jobs.positions(*jobs)
-        return Batches(batches=[BatchItem.of(job, positions[job.id]) for job in jobs], next=after)
+        return Batches(batches=[BatchItem.from_stored(job, positions[job.id]) for job in jobs], next=after)
 
     async def resume(self, job_id: str, owner: str | None) -> StoredJob:
         """Continue a batch: what was cancelled of it, or failed for a reason that may have passed.
@@ -185,9 +202,17 @@ class BatchService:
         job = await self.jobs.owned(job_id, owner)
         if job.state in UNFINISHED:
             return job
-        if job.state == "done" and not await self.store.read(self.store.job_runs.may_be_tried_again, job_id):
+        if not await self._is_resumable(job):
             raise ConflictError("It is done: nothing is left to run.", kind="done")
-        return await self.jobs.resume(job_id)
+        return await self.jobs.resume(job_id, progress={})
+
+    async def sweep(self, job_id: str) -> JsonObject:
+        """Return the batch's sweep as it was sent.
+
+        Raises:
+            NotFoundError: There is no such batch.
+        """
+        return (await self.jobs.get(job_id)).sweep or {}
 
     async def table(self, job_id: str, figures: Sequence[str], client: str) -> bytes | SpoolFile:
         """Every row column by column, with those figures, as JSON of `BatchTable`.
@@ -259,33 +284,60 @@ class BatchService:
             yield rows
             last = rows[-1].position
 
-    async def _named_roads(self, base: JsonObject, sent: JsonObject) -> dict[str, MeasuredRoad]:
-        """The measured roads that scenario and sweep name.
+    async def _is_resumable(self, job: StoredJob) -> bool:
+        """Check whether something of a batch that has ended is left to run, or may run now."""
+        if job.state == "done":
+            return job.failed > 0 and await self.store.read(self.store.job_runs.may_be_tried_again, job.id)
+        return job.state not in UNFINISHED
+
+    async def _checked(self, scenario: Scenario, names: Sequence[str], sweep: Sweep) -> Scenario:
+        """Check what takes no time; return the scenario as it is driven."""
+        self.jobs.check_runs(size(sweep) * len(names))
+        settled = await self.roads.settled(scenario)
+        try:
+            check_at_once(sweep, settled.model_dump(mode="json"))
+        except SweepError as error:
+            raise _unusable(error) from None
+        return settled
+
+    async def _base(
+        self, scenario: Scenario, names: Sequence[str], sweep: Sweep, *, given_length: bool
+    ) -> tuple[SweepBase, dict[str, MeasuredRoad]]:
+        """Return what the sweep changes, and the measured roads that scenario and sweep name.
 
         Raises:
-            InvalidError: One is not there.
+            InvalidError: A road is not there.
         """
-        of_base = await self.roads.named(measured_roads(base))
-        return {**of_base, **await self.roads.named(swept_roads(sent), "/sweep")}
+        plain = scenario.model_dump(mode="json")
+        of_base = await self.roads.named(measured_roads(plain))
+        roads = {**of_base, **await self.roads.named(swept_roads(_sent(sweep)), "/sweep")}
+        lengths: dict[str | None, float] = {}
+        if not given_length:
+            lengths = {None: Road().length} | {profile: road.length for profile, road in roads.items()}
+        return SweepBase(scenario=plain, strategies=names, lengths=lengths), roads
 
-    async def _planned(
-        self,
-        base: JsonObject,
-        names: Sequence[str],
-        sweep: Sweep,
-        lengths: Mapping[str | None, float],
-        client: str,
-    ) -> plan.SweepPlan:
-        self.jobs.check_runs(size(sweep) * len(names))
-        try:
-            cost = PLAN_COST * size(sweep) * len(names)
-            with self.gate.computing(client, cost):
-                planned = await self._call(client, cost, plan.plan, base, names, sweep, lengths)
-        except SweepError as error:
-            raise InvalidError(
-                "The sweep has fields that cannot be used; errors names each.", errors=error.problems()
-            ) from None
-        self.jobs.check_cost(planned.cost, planned.max_run_cost)
+    async def _planned(self, base: SweepBase, sweep: Sweep, client: str, add: AddRuns | None = None) -> _Planned:
+        """Plan piece by piece, and refuse what is over a limit.
+
+        Raises:
+            InvalidError: Values cannot be used.
+            CostLimitError: It is over a limit.
+            TemporaryError: Later.
+        """
+        planned, count = _Planned(), max(1, PLANNED_AT_ONCE // len(base.strategies))
+        for first in range(0, size(sweep), count):
+            cost = PLAN_COST * min(count, size(sweep) - first) * len(base.strategies)
+            try:
+                piece = await self._call(client, cost, plan.plan, base, sweep, first, count)
+            except SweepError as error:
+                raise _unusable(error) from None
+            planned.total += len(piece.runs)
+            planned.contradictory += piece.contradictory
+            planned.cost += piece.cost
+            planned.max_run_cost = max(planned.max_run_cost, piece.max_run_cost)
+            self.jobs.check_cost(planned.cost, planned.max_run_cost)
+            if add is not None:
+                await add(piece.runs)
         return planned
 
     async def _call(self, client: str, cost: float, function: Callable[..., T], *args: Any) -> T:
@@ -300,14 +352,16 @@ class BatchService:
     async def _queued_cost(self, own: float) -> float:
         """Cost of other jobs' runs before a new job of that cost ends, as all share the processes [s of one core]."""
         unfinished = await self.store.read(self.store.jobs.unfinished)
-        return sum(min(own, job.estimated_cost * job.open_runs / job.total) for job in unfinished)
+        return sum(min(own, job.estimated_cost * job.open_runs / job.total) for job in unfinished if job.open_runs)
 
 
-def _lengths(scenario: Scenario, roads: Mapping[str, MeasuredRoad]) -> dict[str | None, float]:
-    """Lengths of the roads that a sweep may name, by profile [m]; none where the scenario was given a length."""
-    if "length" in scenario.road.model_fields_set:
-        return {}
-    return {None: Road().length} | {profile: road.length for profile, road in roads.items()}
+def _has_length(scenario: Scenario) -> bool:
+    """Check whether the road was given a length: else points on measured roads are as long as these."""
+    return "length" in scenario.road.model_fields_set
+
+
+def _unusable(error: SweepError) -> InvalidError:
+    return InvalidError("The sweep has fields that cannot be used; errors names each.", errors=error.problems())
 
 
 def _sent(sweep: Sweep) -> JsonObject:

@@ -199,13 +199,20 @@ class Summaries:
             return cached.answer.model_copy(update={"state": job.state})
         begin = time.perf_counter()
         cost = COST * sum(ended)
-        rows, call = self.rows(job.id), partial(self.call, client, cost)
+        rows, call = self.rows(job.id) if job.is_planned else _no_rows(), partial(self.call, client, cost)
         measured = await self.roads.named(job.road_ids)
         with self.gate.computing(client, cost):
             answer, may_pass = await self._in_progress.join(
                 (*key, *ended), partial(summarised, job, rows, call, figures, against, measured)
             )
         until = clock() + REUSE * (time.perf_counter() - begin)
-        if not may_pass:
+        if job.is_planned and not may_pass:
             self._cached[key] = CachedSummary(answer=answer, ended=ended, reusable_until=until)
         return answer
+
+
+async def _no_rows() -> AsyncIterator[list[JobRow]]:
+    """Give the rows of a batch that was not planned when it was loaded; some may be there now."""
+    none: tuple[list[JobRow], ...] = ()
+    for rows in none:
+        yield rows

@@ -10,11 +10,12 @@ from numpy.typing import NDArray
 from backend import digest
 from backend.compute.chunk_messages import ComputeRun
 from backend.job_run import JobRun
+from backend.jobs.kind import JobKind
 from backend.store import Store, StoredJob
 
 CHUNK_SECONDS = 1.0  # a chunk is cut to take about so long
 LONGEST_CHUNK = 1000  # runs
-STRIKES = 3  # a run alone may lose its processes so often (two each time) before it fails
+MOST_CRASHES = 3  # a run alone may lose its processes so often (two each time) before it fails
 
 
 @dataclass(slots=True, kw_only=True)
@@ -23,7 +24,7 @@ class RunningJob:
 
     Attributes:
         job: The stored job as it was at the start.
-        compute: What a worker computes of each run.
+        kind: What is computed of its runs.
         group: Cancels all its chunks together.
         order: Positions of its runs in the order in which they are computed.
         sent: How many of them are sent or need not be.
@@ -31,11 +32,11 @@ class RunningJob:
         open_chunks: Chunks sent and not yet stored.
         last_send: Number of its last chunk among all chunks sent.
         run_seconds: Mean time of a run in the chunks so far [s].
-        strikes: How often a run alone lost its processes, by key.
+        crash_count: How often a run alone lost its processes, by position.
     """
 
     job: StoredJob
-    compute: ComputeRun
+    kind: JobKind
     group: str = field(default_factory=digest.random_id)
     order: NDArray[np.intp]
     sent: int = 0
@@ -43,7 +44,14 @@ class RunningJob:
     open_chunks: int = 0
     last_send: int = 0
     run_seconds: float | None = None
-    strikes: Counter[str] = field(default_factory=Counter)
+    crash_count: Counter[int] = field(default_factory=Counter)
+
+    @property
+    def compute(self) -> ComputeRun:
+        """What a worker computes of each run."""
+        if self.kind.compute is None:
+            raise TypeError(f"Jobs of the kind {self.kind.name} have no runs")
+        return self.kind.compute
 
     async def next_chunk(self, store: Store, max_chunks: int) -> list[JobRun]:
         """The next chunk, where all jobs have at most `max_chunks` open; empty where every run is sent or done."""
@@ -52,7 +60,7 @@ class RunningJob:
         size = looked = self.size(max_chunks)
         while self.sent < len(self.order):
             next_ones = self.order[self.sent : self.sent + looked].tolist()
-            waiting = await store.write(store.job_runs.waiting, self.job.id, next_ones)
+            waiting = await store.read(store.job_runs.waiting, self.job.id, next_ones)
             by_position = {run.position: run for run in waiting}
             runs = [by_position[each] for each in next_ones if each in by_position][:size]
             if len(runs) < len(waiting):
@@ -70,17 +78,14 @@ class RunningJob:
 
     def halve(self, runs: list[JobRun]) -> bool:
         """Send a chunk that failed again as two halves; False where it is a single run."""
-        keys = list(dict.fromkeys(run.key for run in runs))
-        if len(keys) == 1:
-            return False
-        first = set(keys[: len(keys) // 2])
-        self.take_back([run for run in runs if run.key in first], [run for run in runs if run.key not in first])
-        return True
+        half = len(runs) // 2
+        self.take_back(*([runs[:half], runs[half:]] if half else []))
+        return half > 0
 
     def try_again(self, runs: list[JobRun]) -> bool:
-        """Send a single run that lost its process again; False after `STRIKES` tries."""
-        self.strikes[runs[0].key] += 1
-        if self.strikes[runs[0].key] == STRIKES:
+        """Send a single run that lost its process again; False after `MOST_CRASHES` tries."""
+        self.crash_count[runs[0].position] += 1
+        if self.crash_count[runs[0].position] == MOST_CRASHES:
             return False
         self.take_back(runs)
         return True

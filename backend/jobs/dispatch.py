@@ -11,7 +11,8 @@ from sqlalchemy.exc import DataError, IntegrityError, ProgrammingError, SQLAlche
 from backend import custom_controllers, metrics
 from backend.compute.chunk_messages import Chunk, ChunkOutcome, Trouble
 from backend.compute.executor import Executor, ExecutorLostError
-from backend.errors import CHEAPER_RUN
+from backend.compute.workers import Workers
+from backend.errors import CHEAPER_RUN, ServiceError, WorkerLostError
 from backend.job_run import JobRun
 from backend.jobs.chunk_cutter import RunningJob
 from backend.outcome import Outcome
@@ -23,6 +24,7 @@ from sim_core.scenario.measured import MeasuredRoad
 logger = logging.getLogger(__name__)
 
 CHUNK_BUDGET = 2.0  # a chunk is cut short after this, where its runs take longer than those before [s]
+KEY_COST = 0.0003  # of one run [s of one core]
 PAUSE_AFTER_FAILURE = 2.0  # after the database or the executor failed [s]
 PERMANENT = (IntegrityError, DataError, ProgrammingError)  # what the database will never take
 REASONS: dict[Trouble, str] = {
@@ -37,11 +39,13 @@ class Dispatch:
 
     Args:
         store: Of the service.
+        workers: Processes that give runs their keys.
         timeout: A whole chunk may take so long [s].
     """
 
-    def __init__(self, store: Store, timeout: float) -> None:
+    def __init__(self, store: Store, workers: Workers, timeout: float) -> None:
         self._store = store
+        self._workers = workers
         self._timeout = timeout
         self._computing: set[asyncio.Task[None]] = set()
         self._committing: set[asyncio.Task[None]] = set()
@@ -70,10 +74,11 @@ class Dispatch:
     async def _compute(self, executor: Executor, running: RunningJob, runs: list[JobRun], priority: int) -> None:
         committing = False
         try:
-            chunk = await self._chunk(running, runs, priority)
-            if chunk is None:
+            handed_out = await self._hand_out(running, runs)
+            if handed_out is None:
                 return
-            outcome = await _outcome(executor, chunk)
+            runs, roads = handed_out
+            outcome = await _outcome(executor, self._chunk(running, runs, roads, priority))
             if outcome.computed is not None:
                 computed, failures = _split(running, runs, outcome.computed)
             elif await self._retry(running, runs, outcome):
@@ -86,15 +91,31 @@ class Dispatch:
             if not committing:
                 self._end(running)
 
-    async def _chunk(self, running: RunningJob, runs: list[JobRun], priority: int) -> Chunk | None:
-        """The chunk with its roads; None where the database has failed: its runs are sent again."""
+    async def _hand_out(
+        self, running: RunningJob, runs: list[JobRun]
+    ) -> tuple[list[JobRun], dict[str, MeasuredRoad]] | None:
+        """Give the runs their keys; return those to compute, with their roads, None where there are none now."""
+        job, keys = running.job, running.kind.keys
         try:
-            roads = await self._roads(running.job, runs)
-        except (SQLAlchemyError, OSError) as error:
-            logger.warning("A chunk's roads could not be read: %s", type(error).__name__)
+            if keys is not None:
+                base = job.request["scenario"], job.schema_version
+                cost = KEY_COST * len(runs)
+                runs = await self._workers.call(keys, *base, runs, client=running.group, cost=cost)
+            left = await self._store.write(self._store.job_runs.hand_out, job.id, runs)
+            if not left:
+                running.record_time(len(runs), KEY_COST * len(runs))
+            return (left, await self._roads(job, left)) if left else None
+        except WorkerLostError:
+            await self._retry(running, runs, ChunkOutcome(trouble="lost"))
+        except (SQLAlchemyError, OSError, ServiceError) as error:
+            logger.warning("A chunk could not be handed out: %s", type(error).__name__)
             running.take_back(runs)
-            await asyncio.sleep(PAUSE_AFTER_FAILURE)  # the database may be back by then
-            return None
+            await asyncio.sleep(PAUSE_AFTER_FAILURE)  # what failed may be back by then
+        return None
+
+    def _chunk(
+        self, running: RunningJob, runs: list[JobRun], roads: Mapping[str, MeasuredRoad], priority: int
+    ) -> Chunk:
         return Chunk(
             compute=running.compute,
             group=running.group,

@@ -1,6 +1,6 @@
 """What the engine has to know of a kind of job; the kinds stand in the rooms that ask for them."""
 
-from collections.abc import Awaitable, Callable, Iterable, Mapping
+from collections.abc import Awaitable, Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,8 +12,24 @@ from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from backend.store import StoredJob
 
-# From a plain scenario, its schema version and some runs: by position a new key, or the reason why there is none.
-Rekey = Callable[[JsonObject, int, Iterable[JobRun]], Mapping[int, tuple[str | None, str | None]]]
+# From a plain scenario, its schema version and some runs: the runs with their keys, or with a reason to fail.
+RunKeys = Callable[[JsonObject, int, Sequence[JobRun]], list[JobRun]]
+AddRuns = Callable[[Sequence[JobRun]], Awaitable[None]]  # stores runs of a job that is being planned, in their order
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JobSize:
+    """What planning finds of a job.
+
+    Attributes:
+        total: Runs, or trials.
+        failed: Of the runs those that have failed already.
+        estimated_cost: Of all [s of one core].
+    """
+
+    total: int
+    failed: int = 0
+    estimated_cost: float
 
 
 class JobFailedError(Exception):
@@ -34,9 +50,11 @@ class JobKind:
         run_pointer: What makes one of its runs expensive.
         compute: What a worker computes of each run.
         order: Positions of all its runs in the order in which they are computed; ascending without it.
-        rekey: Run in a worker after an upgrade: gives waiting runs the keys of this core version. Without it a job of
-            another version is deleted: who asked for it asks anew.
-        passing: A job is deleted when all its runs have succeeded: their results are what was asked for.
+        plan: Finds a new job's runs and its size. Raises ServiceError where the job cannot be run, and that error is
+            what its owner is told; TemporaryError where it can be tried again. Without it a job is accepted as planned.
+        keys: Run in a worker as runs are handed out: gives them the keys of their results. Without it they have theirs
+            from the start, and a job of another version is deleted: who asked for it asks anew.
+        delete_when_done: A job is deleted when all its runs have succeeded: their results are what was asked for.
         step: Takes the next step of a job to its end; the stored state says which it is. Raises JobFailedError where
             the job cannot go on, TemporaryError where it can be tried again.
         jobs_gauge: Of its jobs by state.
@@ -50,8 +68,9 @@ class JobKind:
     run_pointer: str = ""
     compute: ComputeRun | None = None
     order: Callable[[StoredJob], NDArray[np.intp]] | None = None
-    rekey: Rekey | None = None
-    passing: bool = False
+    plan: Callable[[StoredJob, AddRuns], Awaitable[JobSize]] | None = None
+    keys: RunKeys | None = None
+    delete_when_done: bool = False
     step: Callable[[StoredJob], Awaitable[None]] | None = None
     jobs_gauge: Gauge | None = None
     runs_gauge: Gauge | None = None

@@ -9,7 +9,9 @@ import contextlib
 import itertools
 import logging
 import time
-from collections.abc import Awaitable, Callable, Coroutine, Iterable
+from collections import Counter
+from collections.abc import Awaitable, Callable, Collection, Coroutine, Iterable, Sequence
+from dataclasses import asdict
 from functools import partial
 from typing import Any, get_args
 
@@ -19,11 +21,13 @@ from sqlalchemy.exc import SQLAlchemyError
 from backend.compute.executor import Executor, ExecutorLostError
 from backend.compute.workers import Workers
 from backend.db.commits import Follower
-from backend.errors import DamagedError, TemporaryError
-from backend.jobs.chunk_cutter import RunningJob
+from backend.errors import DamagedError, ServiceError, TemporaryError, WorkerLostError
+from backend.job_run import JobRun
+from backend.jobs.chunk_cutter import MOST_CRASHES, RunningJob
 from backend.jobs.dispatch import Dispatch
-from backend.jobs.kind import JobFailedError, JobKind, Rekey
+from backend.jobs.kind import JobFailedError, JobKind
 from backend.jobs.leadership import Leadership, LeadershipLostError
+from backend.jobs.problem import problem_of
 from backend.jobs.retention import Retention
 from backend.settings import Settings
 from backend.store import Store, StoredJob
@@ -35,38 +39,44 @@ logger = logging.getLogger(__name__)
 CHUNKS_PER_PROCESS = 2  # one is computed, one waits (test_every_job_begins_at_once_and_first_chunks_go_first)
 JOB_POLL_INTERVAL = 1.0  # between two looks at what other services accepted or cancelled [s]
 PAUSE_AFTER_FAILURE = 2.0  # after the database or the executor failed, or the service was full [s]
-REKEYED_AT_ONCE = 500  # runs given new keys in one transaction
 REPORT = 5.0  # between two updates of the metrics [s]
 STATES: tuple[State, ...] = get_args(State)
-MAX_TASKS = 4  # beyond it no job's steps are taken; the others wait in the order they were accepted
+MAX_TASKS = 4  # jobs planned at once, and jobs whose steps are taken at once
 TRANSIENT = (SQLAlchemyError, OSError, TemporaryError, LeadershipLostError)
 UNFORESEEN = "It failed with an unforeseen error, which is in the service's log"
 
 Step = Callable[[StoredJob], Awaitable[None]]
 
 
-class JobDrivers:
-    """A task for each job; `ended` is set when one has ended."""
+class PlanningEndedError(Exception):
+    """The job was cancelled, or deleted, while it was planned."""
 
-    def __init__(self, store: Store, ended: asyncio.Event) -> None:
+
+class JobTasks:
+    """A task for each of some jobs, so many at once.
+
+    Args:
+        store: The database.
+        ended: Is set when one has ended.
+        most: So many; the other jobs wait in the order they were accepted.
+    """
+
+    def __init__(self, store: Store, ended: asyncio.Event, most: int) -> None:
         self._store = store
         self._ended = ended
+        self._most = most
         self._tasks: dict[str, asyncio.Task[None]] = {}
 
-    def take_steps(self, job_id: str, step: Step) -> None:
-        """Start a task that takes the job's steps to its end, if there is room."""
-        if len(self._tasks) < MAX_TASKS:
-            self.begin(job_id, partial(self._take_steps, job_id, step))
-
     def begin(self, job_id: str, work: Callable[[], Coroutine[Any, Any, None]]) -> None:
-        """Start a task with that work for the job, unless it has one."""
-        if job_id not in self._tasks:
+        """Start a task with that work for the job, unless it has one, if there is room."""
+        if job_id not in self._tasks and len(self._tasks) < self._most:
             self._tasks[job_id] = asyncio.create_task(self._run(job_id, work))
 
-    def cancel(self) -> None:
-        """End every task."""
-        for task in self._tasks.values():
-            task.cancel()
+    def cancel(self, *, but: Collection[str] = ()) -> None:
+        """End every task but those of these jobs."""
+        for job_id, task in self._tasks.items():
+            if job_id not in but:
+                task.cancel()
 
     async def _run(self, job_id: str, work: Callable[[], Coroutine[Any, Any, None]]) -> None:
         """Run the work until it ends or meets a transient error, after which a later look starts it again."""
@@ -84,18 +94,6 @@ class JobDrivers:
         finally:
             del self._tasks[job_id]
             self._ended.set()
-
-    async def _take_steps(self, job_id: str, step: Step) -> None:
-        while (job := await self._store.read(self._store.jobs.load, job_id)) is not None and job.state in UNFINISHED:
-            try:
-                await step(job)
-            except TRANSIENT:
-                raise
-            except JobFailedError as error:
-                await self._store.write(self._store.jobs.fail, job, str(error))
-            except Exception:  # a bug of ours: this job fails and says so, the others go on
-                logger.exception("Job %s failed", job.id)
-                await self._store.write(self._store.jobs.fail, job, UNFORESEEN)
 
 
 class Scheduler:
@@ -121,16 +119,16 @@ class Scheduler:
         self._store = store
         self._kinds = {kind.name: kind for kind in kinds}
         self._connect = connect
-        self._workers = workers
         self._leadership = Leadership(store)
         self._retention = Retention(store, settings, self._leadership.write)
         self._task: asyncio.Task[None] | None = None
         self._closed = False
         self._executor: Executor | None = None
         self._running_jobs: dict[str, RunningJob] = {}
-        self._rekeyed: set[str] = set()  # jobs of another core version whose waiting runs have this one's keys
-        self._chunks = Dispatch(store, settings.run_timeout)
-        self._job_tasks = JobDrivers(store, self._chunks.returned)
+        self._chunks = Dispatch(store, workers, settings.run_timeout)
+        self._planning = JobTasks(store, self._chunks.returned, MAX_TASKS)
+        self._stepping = JobTasks(store, self._chunks.returned, MAX_TASKS)
+        self._crash_count: Counter[str] = Counter()  # how often planning a job lost its processes
         self._send_counter = itertools.count(1)
         self._reported = -REPORT
 
@@ -199,15 +197,17 @@ class Scheduler:
     async def _look(self) -> None:
         """Start jobs that were accepted and end jobs that were cancelled, by this service or another."""
         unfinished = {job.id: job for job in await self._store.read(self._store.jobs.unfinished)}
-        self._rekeyed &= unfinished.keys()
         for job_id in self._running_jobs.keys() - unfinished.keys():
             await self._stop(job_id)
+        self._planning.cancel(but={job.id for job in unfinished.values() if job.state == "planning"})
         for job in unfinished.values():
             kind = self._kinds.get(job.kind)
             if kind is None:  # a newer version's
                 continue
-            if kind.step is not None:
-                self._job_tasks.take_steps(job.id, kind.step)
+            if job.state == "planning":
+                self._planning.begin(job.id, partial(self._plan, job, kind))
+            elif kind.step is not None:
+                self._stepping.begin(job.id, partial(self._take_steps, job.id, kind.step))
             elif job.id not in self._running_jobs:
                 await self._begin(job, kind)
             elif job.state == "queued":  # it was cancelled and resumed between two looks
@@ -215,27 +215,21 @@ class Scheduler:
                 await self._begin(job, kind)
 
     async def _stop(self, job_id: str) -> None:
-        self._rekeyed.discard(job_id)  # what was cancelled meanwhile has its old keys
         stopped = self._running_jobs.pop(job_id)
         if stopped.open_chunks and self._executor is not None:
             await self._executor.stop(stopped.group)
 
     async def _begin(self, job: StoredJob, kind: JobKind) -> None:
         """Begin to compute a job's runs."""
-        if job.core_version != CORE_VERSION and job.id not in self._rekeyed:
-            if kind.rekey is None:
-                await self._leadership.write(self._store.jobs.cancel, job.id)
-                await self._leadership.write(self._store.jobs.delete, job.id)
-            else:
-                self._job_tasks.begin(job.id, partial(self._rekey, job, kind.rekey))
+        if kind.keys is None and job.core_version != CORE_VERSION:
+            await self._leadership.write(self._store.jobs.cancel, job.id)
+            await self._leadership.write(self._store.jobs.delete, job.id)
             return
-        if kind.compute is None:
-            raise TypeError(f"Jobs of the kind {kind.name} have neither steps nor runs")
         if self._executor is None:
             self._executor = await self._connect()
         await self._leadership.write(self._store.jobs.start, job.id)
         order = kind.order(job) if kind.order else np.arange(job.total)
-        self._running_jobs[job.id] = RunningJob(job=job, compute=kind.compute, order=order)
+        self._running_jobs[job.id] = RunningJob(job=job, kind=kind, order=order)
 
     async def _send_chunks(self) -> None:
         """Keep every process busy; the next chunk is of the job with the fewest open chunks.
@@ -267,7 +261,7 @@ class Scheduler:
         job_id = running.job.id
         if await self._leadership.write(self._store.jobs.finish, job_id):
             self._running_jobs.pop(job_id, None)
-            if self._kinds[running.job.kind].passing:
+            if running.kind.delete_when_done:
                 await self._forget(job_id)
         else:  # something waits after all: from the start
             running.sent = 0
@@ -278,16 +272,43 @@ class Scheduler:
         if job is not None and not job.failed:
             await self._leadership.write(self._store.jobs.delete, job_id)
 
-    async def _rekey(self, job: StoredJob, rekey: Rekey) -> None:
-        """Give the runs that another core version left uncomputed the keys of this one, which computes them."""
-        logger.warning("Job %s goes on with core %s", job.id, CORE_VERSION)
-        for first in range(0, job.total, REKEYED_AT_ONCE):
-            positions = range(first, first + REKEYED_AT_ONCE)
-            runs = await self._leadership.write(self._store.job_runs.waiting, job.id, positions)
-            if runs:
-                keys = await self._workers.call(rekey, job.request["scenario"], job.schema_version, runs)
-                await self._leadership.write(self._store.job_runs.rekey, job.id, keys)
-        self._rekeyed.add(job.id)
+    async def _plan(self, job: StoredJob, kind: JobKind) -> None:
+        """Plan a job, or end it with what planning found; one that is cancelled meanwhile stays so."""
+        if kind.plan is None:
+            raise TypeError(f"Jobs of the kind {kind.name} are not planned")
+        write, end = self._leadership.write, partial(self._store.jobs.end_planning, job.id)
+        try:
+            size = await kind.plan(job, partial(self._add_runs, job.id))
+            await write(end, "queued", **asdict(size))
+        except PlanningEndedError:
+            return
+        except (*TRANSIENT, DamagedError) as error:
+            self._crash_count[job.id] += isinstance(error, WorkerLostError)
+            if self._crash_count[job.id] < MOST_CRASHES:
+                raise
+            await write(end, "failed", reason=str(error))
+        except ServiceError as error:
+            problem = {"problem": problem_of(error)}
+            await write(end, "failed", reason=error.message, progress=job.progress | problem)
+        except Exception:  # a bug of ours: this job fails and says so, the others go on
+            logger.exception("Job %s could not be planned", job.id)
+            await write(end, "failed", reason=UNFORESEEN)
+
+    async def _add_runs(self, job_id: str, runs: Sequence[JobRun]) -> None:
+        if not await self._leadership.write(self._store.jobs.add_planned, job_id, runs):
+            raise PlanningEndedError
+
+    async def _take_steps(self, job_id: str, step: Step) -> None:
+        while (job := await self._store.read(self._store.jobs.load, job_id)) is not None and job.state in UNFINISHED:
+            try:
+                await step(job)
+            except TRANSIENT:
+                raise
+            except JobFailedError as error:
+                await self._store.write(self._store.jobs.fail, job, str(error))
+            except Exception:  # a bug of ours: this job fails and says so, the others go on
+                logger.exception("Job %s failed", job.id)
+                await self._store.write(self._store.jobs.fail, job, UNFORESEEN)
 
     async def _report(self) -> None:
         """Update the metrics of jobs and runs, every few seconds."""
@@ -306,13 +327,13 @@ class Scheduler:
     async def _leave(self) -> None:
         """End everything except chunks that wait to be stored; the next leader reports the metrics."""
         self._retention.cancel()
-        self._rekeyed.clear()
         for kind in self._kinds.values():
             for gauge in (kind.jobs_gauge, kind.runs_gauge):
                 if gauge is not None:
                     gauge.clear()
         self._reported = -REPORT
-        self._job_tasks.cancel()
+        self._planning.cancel()
+        self._stepping.cancel()
         await self._end_executor()
 
     async def _end_executor(self) -> None:

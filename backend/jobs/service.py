@@ -1,7 +1,7 @@
 """What every kind of job does: accept once, list, follow, label, cancel, delete."""
 
 import hashlib
-from collections.abc import AsyncIterator, Iterable
+from collections.abc import AsyncIterator
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from typing import Any
@@ -9,12 +9,11 @@ from typing import Any
 from backend import digest
 from backend.errors import CHEAPER_RUN, BusyError, ConflictError, CostLimitError, ForbiddenError, NotFoundError
 from backend.gate import Gate
-from backend.job_run import JobRun
 from backend.jobs.events import server_sent
 from backend.jobs.kind import JobKind
 from backend.settings import MAX_BATCH_RUNS, MAX_UNFINISHED_JOBS, Settings
 from backend.store import Store, StoredJob
-from backend.store.job import UNFINISHED, State
+from backend.store.job import UNFINISHED, WAITING, State
 
 RETRY_AFTER = 30
 CURSOR = r"^\d{16}_[A-Za-z0-9_-]{1,22}$"  # when the last job of a page was created, and its id
@@ -82,13 +81,13 @@ class Jobs:
     def _over_limit(self, message: str) -> CostLimitError:
         return CostLimitError(f"{message} a {self.kind.word}", pointer=self.kind.size_pointer)
 
-    async def accept(self, job: StoredJob, runs: Iterable[JobRun], key: str | None) -> StoredJob:
-        """Commit a job with its runs; where one was accepted with that key meanwhile, return that one.
+    async def accept(self, job: StoredJob, key: str | None) -> StoredJob:
+        """Commit a job; where one was accepted with that key meanwhile, return that one.
 
         Raises:
             ConflictError: The key had another request.
         """
-        stored, new = await self.store.write(self.store.jobs.create, job, runs, key)
+        stored, new = await self.store.write(self.store.jobs.create, job, (), key)
         return stored if new else _same(stored, job.request_hash)
 
     async def get(self, job_id: str) -> StoredJob:
@@ -116,13 +115,13 @@ class Jobs:
     async def positions(self, *jobs: StoredJob) -> dict[str, int]:
         """By id the number of runs of earlier jobs that wait; 0 for a job that runs or has ended."""
         unfinished = []
-        if any(job.state == "queued" for job in jobs):
+        if any(job.state in WAITING for job in jobs):
             unfinished = await self.store.read(self.store.jobs.unfinished)
         return {
             job.id: sum(
                 other.open_runs
                 for other in unfinished
-                if job.state == "queued" and (other.created_at, other.id) < (job.created_at, job.id)
+                if job.state in WAITING and (other.created_at, other.id) < (job.created_at, job.id)
             )
             for job in jobs
         }

@@ -205,7 +205,7 @@ class Links:
 
 def _batch(job: StoredJob) -> Batch:
     """A batch whose scenario is today's already."""
-    return Batch.of(replace(job, schema_version=SCHEMA_VERSION), 0)
+    return Batch.from_stored(replace(job, schema_version=SCHEMA_VERSION), 0, resumable=False)
 
 
 def url(slug: str) -> str:

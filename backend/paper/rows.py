@@ -28,7 +28,7 @@ MAX_CLIENT_JOBS = 4  # of one visitor; the page asks for four at once
 TRY_AGAIN = timedelta(minutes=1)
 ROW_COST = 0.02  # [s of one core]
 REPRODUCTION = JobKind(
-    name="reproduction", word="reproduction", plural="reproductions", compute=compute_row, passing=True
+    name="reproduction", word="reproduction", plural="reproductions", compute=compute_row, delete_when_done=True
 )
 
 

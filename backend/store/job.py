@@ -12,9 +12,11 @@ from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION
 from sim_core.scenario.versions import upgraded
 
-State = Literal["queued", "running", "done", "cancelled", "failed"]
-UNFINISHED = ("queued", "running")
+State = Literal["planning", "queued", "running", "done", "cancelled", "failed"]
+WAITING = ("planning", "queued")
+UNFINISHED = (*WAITING, "running")
 FINAL = ("done", "cancelled", "failed")
+UNPLANNED = -1.0  # the estimated cost of a job that is not planned yet: the column takes no null
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,14 +31,14 @@ class StoredJob:
         owner: The name of the token that submitted it; None without tokens.
         state: Where it is.
         reason: Why it failed.
-        core_version: That computes it; of a sweep each run names its own.
+        core_version: That accepted it, or of a tuning computes it; of a sweep each run names its own.
         schema_version: Of the scenario in the request.
         request: What was asked, defaults written out.
         sweep: The points of a sweep, as they were sent; None where they were not loaded.
-        progress: What the kind keeps of how far it is.
+        progress: What the kind keeps of how far it is; `problem` where planning failed.
         answer: The kind's result, once it is done.
-        estimated_cost: Estimate [s of one core].
-        total: Runs, or trials of a tuning.
+        estimated_cost: Estimate [s of one core]; `UNPLANNED` until it is planned.
+        total: Runs (0 until it is planned), or trials of a tuning.
         done: How many of them succeeded.
         failed: How many did not.
         request_hash: Of the request as it was accepted.
@@ -58,14 +60,19 @@ class StoredJob:
     sweep: JsonObject | None = None
     progress: JsonObject = field(default_factory=dict)
     answer: JsonObject | None = None
-    estimated_cost: float
-    total: int
+    estimated_cost: float = UNPLANNED
+    total: int = 0
     done: int = 0
     failed: int = 0
     request_hash: str
     created_at: datetime = UNSTORED
     started_at: datetime | None = None
     finished_at: datetime | None = None
+
+    @property
+    def is_planned(self) -> bool:
+        """Check whether its size and its cost are known."""
+        return self.estimated_cost != UNPLANNED
 
     @property
     def scenario(self) -> JsonObject:
@@ -79,5 +86,5 @@ class StoredJob:
 
     @property
     def open_runs(self) -> int:
-        """How many have not come to an end; none of a job that is taken step by step, whose runs are other jobs'."""
-        return 0 if self.progress else self.total - self.done - self.failed
+        """Count those that have not ended; none of a job that is taken step by step, whose runs are other jobs'."""
+        return 0 if "step" in self.progress else self.total - self.done - self.failed

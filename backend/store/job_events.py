@@ -53,7 +53,7 @@ def add_event(connection: Connection, job_id: str, kind: str, details: JsonObjec
     last = connection.execute(
         select(func.coalesce(func.max(job_events.c.number), 0)).where(job_events.c.job_id == job_id)
     ).scalar_one()
-    counts = {"state": job.state, "done": job.done, "failed": job.failed, "total": job.total}
+    counts = {"state": job.state, "done": job.done, "failed": job.failed, "total": job.total or None}
     data = orjson.dumps({**counts, **job.progress, **(details or {})}).decode()
     connection.execute(insert(job_events), {"job_id": job_id, "number": last + 1, "kind": kind, "data": data})
 

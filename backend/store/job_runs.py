@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from sqlalchemy import Connection, Row, Select, bindparam, select, update
+from sqlalchemy import Connection, Row, bindparam, exists, select, update
 
 from backend.db.database import RowStore
 from backend.db.tables import EXPIRED, job_runs, jobs, results
@@ -11,6 +11,7 @@ from backend.errors import DamagedError
 from backend.job_run import JobRow, JobRun
 from backend.outcome import Outcome
 from backend.store.damage import drop_damaged_results, drop_results
+from backend.store.job import UNPLANNED
 from backend.store.job_events import add_event
 from backend.store.jobs import failed_without_result, lock, waiting_runs
 from backend.store.runs import insert_results
@@ -22,21 +23,41 @@ class JobRunStore(RowStore):
     """Reads and writes the runs of jobs; every method is one short transaction."""
 
     def waiting(self, job_id: str, positions: Iterable[int]) -> list[JobRun]:
-        """The runs without a result at these positions; those whose result is stored are settled."""
-        query = _waiting_runs(job_id).where(job_runs.c.position.in_(positions))
+        """Return the runs at these positions that wait."""
+        query = select(job_runs).where(waiting_runs(job_id), job_runs.c.position.in_(positions))
         with self._database.reading() as connection:
-            rows = connection.execute(query).all()
-        stored = {row.result_key: row.stored for row in rows if row.stored is not None}
-        if stored:
-            with self._database.writing() as connection:
-                lock(connection, job_id)
-                _settle(connection, job_id, stored)
+            rows = connection.execute(query.order_by(job_runs.c.position)).all()
+        return [JobRun(row.position, row.changes, row.strategy, row.result_key or "") for row in rows]
+
+    def hand_out(self, job_id: str, runs: Sequence[JobRun]) -> list[JobRun]:
+        """Store the keys of waiting runs that are to be computed now; return those whose result is not stored.
+
+        The others get that result; one with a reason fails.
+
+        Args:
+            job_id: Of a job; where it does not run any more nothing is handed out.
+            runs: With the keys that they have from now on.
+        """
+        stored = self._stored(run.key for run in runs if run.reason is None)
+        keys = [{"at": run.position, "key": run.key} for run in runs if run.key]
+        failures = {run.position: run.reason for run in runs if run.reason is not None}
+        with self._database.writing() as connection:
+            if lock(connection, job_id) != "running":
+                return []
+            if keys:
+                at = update(job_runs).where(waiting_runs(job_id), job_runs.c.position == bindparam("at"))
+                connection.execute(at.values(result_key=bindparam("key")), keys)
+            ended = _fail(connection, job_id, failures) + _mark_finished(connection, job_id, stored)
+        if ended:
             self._database.changed(job_id)
-        return [
-            JobRun(position=row.position, changes=row.changes, strategy=row.strategy, key=row.result_key)
-            for row in rows
-            if row.result_key not in stored
-        ]
+        return [run for run in runs if run.reason is None and run.key not in stored]
+
+    def _stored(self, keys: Iterable[str]) -> dict[str, str]:
+        """Return by key the status of the results that are stored."""
+        query = select(results.c.key, results.c.status)
+        with self._database.reading() as connection:
+            rows = connection.execute(query.where(results.c.key.in_(list(keys)), results.c.status != EXPIRED)).all()
+        return {row.key: row.status for row in rows}
 
     def save(
         self,
@@ -54,7 +75,7 @@ class JobRunStore(RowStore):
             lock(connection, job_id)
             new = insert_results(connection, computed, core_version)
             failed = _fail(connection, job_id, failures or {})
-            _settle(connection, job_id, {item.key: item.status for item in computed})
+            _mark_finished(connection, job_id, {item.key: item.status for item in computed})
         self._database.changed(job_id)
         return new, failed
 
@@ -64,29 +85,18 @@ class JobRunStore(RowStore):
         with self._database.reading() as connection:
             return connection.execute(query).first() is not None
 
-    def rekey(self, job_id: str, keys: Mapping[int, tuple[str | None, str | None]]) -> None:
-        """Give waiting runs (by position) the keys of another core version, or the reason why they have none."""
-        with self._database.writing() as connection:
-            lock(connection, job_id)
-            at = update(job_runs).where(waiting_runs(job_id), job_runs.c.position == bindparam("at"))
-            new = [{"at": position, "key": key} for position, (key, _) in keys.items() if key is not None]
-            if new:
-                connection.execute(at.values(result_key=bindparam("key")), new)
-            reasons = {position: str(reason) for position, (key, reason) in keys.items() if key is None}
-            _fail(connection, job_id, reasons)
-        self._database.changed(job_id)
-
     def rows(self, job_id: str, after: int, limit: int) -> list[JobRow]:
         """The next runs behind position `after`, each with its result if it has one; where that is damaged it waits.
 
-        The reason of a cancelled run is that of its job.
+        None of a job that is not planned. The reason of a cancelled run is that of its job.
         """
         of_result = [each.label(f"{RESULT}{each.name}") for each in results.c]
+        planned = exists().where(jobs.c.id == job_id, jobs.c.estimated_cost != UNPLANNED)
         settled = (job_runs.c.result_key == results.c.key) & job_runs.c.status.in_(("ok", "failed"))
         query = (
             select(*(each for each in job_runs.c if each.name != "result_key"), *of_result)
             .join_from(job_runs, results, settled, isouter=True)
-            .where(job_runs.c.job_id == job_id, job_runs.c.position > after)
+            .where(job_runs.c.job_id == job_id, job_runs.c.position > after, planned)
             .order_by(job_runs.c.position)
             .limit(limit)
         )
@@ -121,19 +131,8 @@ def _row(row: Row[Any], cancelled_for: str | None, *, lost: bool) -> JobRow:
     )
 
 
-def _waiting_runs(job_id: str) -> Select[Any]:
-    """Runs without a result, each with the status of one that is stored all the same."""
-    has_result = (job_runs.c.result_key == results.c.key) & (results.c.status != EXPIRED)
-    return (
-        select(*job_runs.c, results.c.status.label("stored"))
-        .join_from(job_runs, results, has_result, isouter=True)
-        .where(waiting_runs(job_id))
-        .order_by(job_runs.c.position)
-    )
-
-
-def _settle(connection: Connection, job_id: str, statuses: Mapping[str, str]) -> None:
-    """Set waiting runs to the status of their stored result, which is by its key in `statuses`."""
+def _mark_finished(connection: Connection, job_id: str, statuses: Mapping[str, str]) -> int:
+    """Set waiting runs to the status of their stored result, by its key in `statuses`; return how many there are."""
     counts = dict.fromkeys(("ok", "failed"), 0)
     for status in set(statuses.values()):
         keys = [key for key, each in statuses.items() if each == status]
@@ -143,6 +142,7 @@ def _settle(connection: Connection, job_id: str, statuses: Mapping[str, str]) ->
         matching = update(job_runs).where(waiting_runs(job_id), job_runs.c.result_key.in_(there))
         counts[status] = connection.execute(matching.values(status=status)).rowcount
     _count(connection, job_id, done=counts["ok"], failed=counts["failed"])
+    return sum(counts.values())
 
 
 def _fail(connection: Connection, job_id: str, reasons: Mapping[int, str]) -> int:

@@ -21,19 +21,20 @@ from sqlalchemy import (
     exists,
     func,
     insert,
+    literal,
     or_,
     select,
     update,
 )
 from sqlalchemy.exc import IntegrityError
 
-from backend.db.database import RowStore, insert_new
-from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, results, trials
+from backend.db.database import RowStore
+from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, results, roads, trials
 from backend.db.types import UNSTORED, Now
 from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from backend.outcome import FAILED
-from backend.store.job import FINAL, UNFINISHED, State, StoredJob
+from backend.store.job import FINAL, UNFINISHED, UNPLANNED, State, StoredJob
 from backend.store.job_events import add_event
 from backend.store.trials import StoredTrial
 
@@ -42,7 +43,7 @@ class ParentEndedError(Exception):
     """A job cannot be submitted for one that has ended."""
 
 
-INSERTED = 1000  # rows made at once
+INSERTED = 1000  # rows named in one statement
 PURGED = 2000  # rows deleted in one transaction
 LONGEST_KEY = 255  # characters, as the column has them
 
@@ -57,9 +58,9 @@ class JobStore(RowStore):
     def create(
         self, job: StoredJob, runs: Iterable[JobRun] = (), idempotency_key: str | None = None
     ) -> tuple[StoredJob, bool]:
-        """Commit a job with all its runs; if its idempotency key exists, return that key's job and False.
+        """Commit a job; if its idempotency key exists, return that key's job and False.
 
-        A cancelled job gives its key away. The runs can be gone through more than once.
+        A cancelled job gives its key away. `runs` are those of a job that needs no planning.
 
         Raises:
             ParentEndedError: The job that submits it has ended meanwhile.
@@ -80,11 +81,9 @@ class JobStore(RowStore):
                         .values(idempotency_key=None)
                     )
                 created = connection.execute(insert(jobs).returning(jobs.c.created_at), row).scalar_one()
-                if job.road_ids:
-                    insert_new(connection, job_roads, [{"job_id": job.id, "road_id": each} for each in job.road_ids])
-                rows = (run.row(job.id) for run in runs)
-                while some := list(islice(rows, INSERTED)):
-                    connection.execute(insert(job_runs), some)
+                _hold_roads(connection, job.id, job.road_ids)
+                if rows := [run.row(job.id) for run in runs]:
+                    connection.execute(insert(job_runs), rows)
                 add_event(connection, job.id, "state")
         except IntegrityError:
             existing = None if idempotency_key is None else self.by_idempotency_key(job.kind, idempotency_key)
@@ -150,6 +149,23 @@ class JobStore(RowStore):
                 (kind, state): (count, int(runs or 0)) for kind, state, count, runs in connection.execute(query).all()
             }
 
+    def add_planned(self, job_id: str, runs: Sequence[JobRun]) -> bool:
+        """Add runs to a job that is being planned, in their order; False where it is not any more.
+
+        The first ones take the place of those of a planning that was interrupted.
+        """
+        with self._database.writing() as connection:
+            if lock(connection, job_id) != "planning":
+                return False
+            if runs[0].position == 0:
+                connection.execute(delete(job_runs).where(job_runs.c.job_id == job_id))
+            connection.execute(insert(job_runs), [run.row(job_id) for run in runs])
+        return True
+
+    def end_planning(self, job_id: str, state: State, **values: Any) -> None:
+        """Set a job that is being planned to queued, or to failed, with these values changed."""
+        self._change_state(job_id, ("planning",), state, **values)
+
     def start(self, job_id: str) -> None:
         """Set a queued job to running."""
         self._change_state(job_id, ("queued",), "running", started_at=_now_or(jobs.c.created_at))
@@ -199,7 +215,9 @@ class JobStore(RowStore):
                 connection.execute(update(jobs).where(jobs.c.id == job_id).values(**count))
                 cancelled = update(job_runs).where(job_runs.c.job_id == job_id, job_runs.c.status == "cancelled")
                 connection.execute(cancelled.values(status="waiting"))
-                change_state(connection, job_id, FINAL, "queued", reason=None, **values)
+                cost = connection.execute(select(jobs.c.estimated_cost).where(jobs.c.id == job_id)).scalar()
+                state: State = "planning" if cost == UNPLANNED else "queued"
+                change_state(connection, job_id, FINAL, state, reason=None, **values)
         self._database.changed(job_id)
 
     def advance(
@@ -292,6 +310,14 @@ class JobStore(RowStore):
         with self._database.writing() as connection:
             change_state(connection, job_id, before, state, **values)
         self._database.changed(job_id)
+
+
+def _hold_roads(connection: Connection, job_id: str, road_ids: Iterable[str]) -> None:
+    """Keep retention from removing the roads that a job names; planning finds those that are not there."""
+    ids = iter(road_ids)
+    while some := list(islice(ids, INSERTED)):
+        present = select(literal(job_id), roads.c.id).where(roads.c.id.in_(some))
+        connection.execute(insert(job_roads).from_select(["job_id", "road_id"], present))
 
 
 def _shortened(key: str) -> str:

@@ -6,6 +6,7 @@ from typing import Any, Literal, Self
 
 from pydantic import Field
 
+from backend.jobs.problem import JobProblem
 from backend.json_types import JsonObject
 from backend.models import Answer, Source
 from backend.store import StoredJob
@@ -92,6 +93,7 @@ class TuningItem(Answer):
     id: str
     state: State
     reason: str | None = Field(description="Why it failed")
+    problem: JobProblem | None = Field(description="Where planning it failed: what a dry run would have answered")
     step: Literal["search", "comparison"] = Field(description="What it does, or did last")
     label: str | None
     position: int = Field(description="Runs waiting before it: 0, its batches have positions of their own")
@@ -111,7 +113,7 @@ class TuningItem(Answer):
     generation: int = Field(description="Generations that are complete")
     batch: str | None = Field(description="The batch it waits for, or waited for last")
     core_version: str
-    estimated_cost: float = Field(description="Estimate [s of one core]")
+    estimated_cost: float | None = Field(description="Estimate [s of one core]; null until it is planned")
     created_at: datetime
     started_at: datetime | None
     finished_at: datetime | None
@@ -125,7 +127,7 @@ class TuningItem(Answer):
     def _fields(job: StoredJob) -> dict[str, Any]:
         request, progress, aims = job.request, job.progress, Aims.of(job.request)
         times = ("created_at", "started_at", "finished_at")
-        same = ("id", "state", "reason", "label", "core_version", "estimated_cost", *times)
+        same = ("id", "state", "reason", "label", "core_version", *times)
         of_request = ("strategy", "search", "seeds", "fresh_seeds", "population", "seed")
         return {
             **{name: getattr(job, name) for name in same},
@@ -134,6 +136,8 @@ class TuningItem(Answer):
             "uncertain": request.get("uncertain", False),
             "quantile": aims.quantile,
             "position": 0,
+            "problem": progress.get("problem"),
+            "estimated_cost": job.estimated_cost if job.is_planned else None,
             "step": progress["step"],
             "generation": progress["generation"],
             "batch": progress["batch"],

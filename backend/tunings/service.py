@@ -5,11 +5,13 @@ import math
 from dataclasses import dataclass
 
 from backend.batches import plan
+from backend.batches.plan import SweepBase
 from backend.batches.points import Sweep
 from backend.compute.workers import Workers
 from backend.cost.estimate import estimate
 from backend.errors import ConflictError, InvalidError
 from backend.gate import Gate
+from backend.jobs.kind import AddRuns, JobSize
 from backend.jobs.service import Jobs, request_hash
 from backend.json_types import JsonObject
 from backend.settings import Settings
@@ -41,14 +43,17 @@ class TuningService:
         It is refused where `create` refuses it.
         """
         stored = request.stored()
-        runs, whole_cost = self._workload(stored, request.trials)
+        runs, whole_cost = await self._workload(stored, request.trials)
         first = first_weights(stored["scenario"], request.strategy, ranges_of(stored))
         points = [{**weights, **road(stored, seed)} for weights in first for seed in request.seeds]
         sweep = Sweep.model_validate({"list": points})
-        cost = plan.PILOTS * estimate(request.scenario, request.strategy)
+        cost = plan.TRIAL_RUNS * estimate(request.scenario, request.strategy)
         with self.gate.computing(client, cost):
             each = await self.batch_workers.call(
-                plan.pilot, stored["scenario"], [request.strategy], sweep, client=client
+                plan.trial_time,
+                SweepBase(scenario=stored["scenario"], strategies=[request.strategy], lengths={}),
+                sweep,
+                client=client,
             )
         return TuningEstimate(
             runs=runs,
@@ -58,11 +63,11 @@ class TuningService:
         )
 
     async def create(self, request: TuningRequest, key: str | None, owner: str | None) -> StoredJob:
-        """Accept a tuning: when this returns, it is committed.
+        """Accept a tuning, which is planned later: when this returns, it is committed.
 
         Raises:
             ConflictError: The key had another request.
-            CostLimitError: It is over a limit.
+            CostLimitError: It has too many runs.
             BusyError: Too many are waiting.
         """
         stored = request.stored()
@@ -70,19 +75,29 @@ class TuningService:
         existing = await self.jobs.existing(key, hashed)
         if existing is not None:
             return existing
-        _, cost = self._workload(stored, request.trials)
+        self.jobs.check_runs(_count_runs(stored, request.trials)[0])
         await self.jobs.check_room()
         job = StoredJob(
             kind=TUNING.name,
+            state="planning",
             label=request.label,
             owner=owner,
             request=stored,
             progress=first_progress(attempt=1),
-            estimated_cost=cost,
             total=request.trials,
             request_hash=hashed,
         )
-        return await self.jobs.accept(job, [], key)
+        return await self.jobs.accept(job, key)
+
+    async def plan(self, job: StoredJob, add: AddRuns) -> JobSize:  # it has no runs of its own
+        """Estimate the cost of a tuning that was accepted.
+
+        Raises:
+            CostLimitError: It is over a limit.
+            TemporaryError: Later.
+        """
+        _, cost = await self._workload({**job.request, "scenario": job.scenario}, job.total)
+        return JobSize(total=job.total, estimated_cost=cost)
 
     async def answer(self, job: StoredJob) -> Tuning:
         """The answer about a tuning: all its trials give the front, the events of its generations the history."""
@@ -126,31 +141,43 @@ class TuningService:
             raise InvalidError(f"It has {job.done + job.failed} trials already", parameter="trials")
         if job.state == "done" and total == job.total:
             raise ConflictError("It is done: name a greater number of trials to go on.", kind="done")
-        _, cost = self._workload({**job.request, "scenario": job.scenario}, total)
+        _, cost = await self._workload({**job.request, "scenario": job.scenario}, total)
         progress = job.progress | {"step": "search", "attempt": job.progress["attempt"] + 1}
+        progress.pop("problem", None)
         resumed = await self.jobs.resume(job_id, total=total, estimated_cost=cost, answer=None, progress=progress)
         if resumed.total != total:  # somebody else resumed it meanwhile, with another number of trials
             raise _not_ended()
         return resumed
 
-    def _workload(self, request: JsonObject, trials: int) -> tuple[int, float]:
-        """The most runs it can take, and their estimated cost [s of one core].
+    async def _workload(self, request: JsonObject, trials: int) -> tuple[int, float]:
+        """Return the most runs it can take, and their estimated cost [s of one core].
 
         Raises:
             CostLimitError: It is over the limits of a batch.
+            TemporaryError: Later.
         """
-        changes = road(request, request["seeds"][0]) | longest_run(request)
-        scenario = Scenario.model_validate(dotted.with_changes(request["scenario"], changes))
-        aims = Aims.of(request)
-        training, validation = len(request["seeds"]), len(request["fresh_seeds"])
-        points = len(aims.objectives) + 3  # of the comparison at most: the paper's, the own, each best, the knee
-        passive = training + validation if aims.needs_passive else 0
-        runs = trials * training + points * validation + passive
-        each = estimate(scenario, request["strategy"])
-        cost = (runs - passive) * each + passive * estimate(scenario, "passive")
+        runs, passive = _count_runs(request, trials)
         self.jobs.check_runs(runs)
+        each, of_passive = await self.batch_workers.call(_run_costs, request)
+        cost = (runs - passive) * each + passive * of_passive
         self.jobs.check_cost(cost, each)
         return runs, cost
+
+
+def _count_runs(request: JsonObject, trials: int) -> tuple[int, int]:
+    """Return the most runs a tuning can take, and how many of them are the passive car's."""
+    aims = Aims.of(request)
+    training, validation = len(request["seeds"]), len(request["fresh_seeds"])
+    points = len(aims.objectives) + 3  # of the comparison at most: the paper's, the own, each best, the knee
+    passive = training + validation if aims.needs_passive else 0
+    return trials * training + points * validation + passive, passive
+
+
+def _run_costs(request: JsonObject) -> tuple[float, float]:
+    """Return the estimated costs of a tuning's longest run and of the passive car's; runs in a worker [s]."""
+    changes = road(request, request["seeds"][0]) | longest_run(request)
+    scenario = Scenario.model_validate(dotted.with_changes(request["scenario"], changes))
+    return estimate(scenario, request["strategy"]), estimate(scenario, "passive")
 
 
 def _not_ended() -> ConflictError:

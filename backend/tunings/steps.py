@@ -9,7 +9,6 @@ import asyncio
 import logging
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
 from functools import partial
 from typing import Any, Literal
 
@@ -47,7 +46,6 @@ from sim_core.scenario.versions import restored
 
 logger = logging.getLogger(__name__)
 
-CLIENT = "tuning"  # whose computing it counts as
 Step = Literal["search", "comparison"]
 TUNING = JobKind(name="tuning", word="tuning", plural="tunings", size_pointer="/trials", run_pointer="/scenario")
 
@@ -60,7 +58,6 @@ class TuningSteps:
         self._own_files = own_files
         self._sweeps = sweeps
         self._asking = ThreadPoolExecutor(1, thread_name_prefix="tuner")
-        self.kind = replace(TUNING, step=self.step)
 
     def close(self) -> None:
         """Stop proposing."""
@@ -238,7 +235,7 @@ class TuningSteps:
         sweep = Sweep.model_validate({"list": points})
         scenario = Scenario.model_validate(job.request["scenario"])
         return await self._sweeps.create(
-            scenario, [strategy], sweep, client=CLIENT, key=_key(job, name), parent_id=job.id, owner=job.owner
+            scenario, [strategy], sweep, key=_key(job, name), parent_id=job.id, owner=job.owner
         )
 
     async def _wait_for(self, sweep: StoredJob) -> None:

@@ -46,11 +46,13 @@ class Job:
     PATH: ClassVar[str]  # of its kind on the service, without an id
 
     id: str = _field("id", "Names it for ever.")
-    state: str = _field("state", "`queued`, `running`, `done`, `cancelled` or `failed`.")
+    state: str = _field("state", "`planning`, `queued`, `running`, `done`, `cancelled` or `failed`.")
     reason: str | None = _field("reason", "Why it failed as a whole.")
     label: str | None = _field("label", "What somebody called it.")
     position: int | None = _field("position", "How many runs of other jobs are computed before its own.")
-    total: int = _count("total", "Runs of a batch (points times strategies), trials wanted of a tuning.")
+    total: int | None = _count(
+        "total", "Runs of a batch (points times strategies), None until it is planned; trials wanted of a tuning."
+    )
     done: int = _count("done", "Those that succeeded.")
     failed: int = _count("failed", "Those that failed; each says why.")
 
@@ -64,7 +66,7 @@ class Job:
         return _again, (type(self), self._http.address, self.answer)
 
     def __len__(self) -> int:
-        return self.total
+        return self.total or 0
 
     def __bool__(self) -> bool:
         return True
@@ -75,13 +77,20 @@ class Job:
         return self.state in FINAL
 
     @property
+    def problem(self) -> RidelabAPIError | None:
+        """Why it could not be planned: what a dry run of the same request would have raised."""
+        problem = self.answer.get("problem")
+        return None if problem is None else RidelabAPIError.of(problem["status"], problem)
+
+    @property
     def counts(self) -> Mapping[str, Any]:
         """The numbers `total`, `done` and `failed`; of a tuning also `feasible`."""
         return self.answer
 
     def __repr__(self) -> str:
         name = f"{self.id} {self.label!r}" if self.label else self.id
-        return f"{type(self).__name__}({name}: {self.state}, {self.done} done, {self.failed} failed of {self.total})"
+        of_total = "" if self.total is None else f" of {self.total}"
+        return f"{type(self).__name__}({name}: {self.state}, {self.done} done, {self.failed} failed{of_total})"
 
     def refresh(self) -> Self:
         """Read its state again."""
@@ -113,10 +122,12 @@ class Job:
         Raises:
             JobEndedError: It was cancelled, or failed as a whole.
             JobTimeoutError: It has not ended in that time.
-            RidelabAPIError: The service refused.
+            RidelabAPIError: The service refused, or could not plan it.
             RidelabConnectionError: No answer for 90 s.
         """
         self.follow(progress, timeout=timeout)
+        if self.problem is not None:
+            raise self.problem
         if self.state != "done":
             why = f": {self.reason}" if self.reason else ""
             raise JobEndedError(f"The {self.NAME} {self.id} {'was ' * (self.state == 'cancelled')}{self.state}{why}")
@@ -204,6 +215,10 @@ class Batch(Job):
         """
         params = {"figures": comma_separated(figures), "baseline": baseline}
         return self._http.json("GET", self._path("/summary"), params=params)
+
+    def sweep(self) -> dict[str, Any]:
+        """Its sweep as it was sent, the fields by dotted names."""
+        return self._http.json("GET", self._path("/sweep"))
 
     def requirement_results(self) -> list[RequirementResult]:
         """How its runs keep its requirements: how many pass and fail, and where each first fails."""

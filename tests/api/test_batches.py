@@ -45,8 +45,8 @@ def batch(client: httpx.Client) -> dict[str, Any]:
     answer = submit(client, {"grid": {"road.bump.height": HEIGHTS, "mpc.preview": ["lookahead", "none"]}})
     assert answer.status_code == 202, answer.text
     assert answer.headers["location"] == f"/api/v1/batches/{answer.json()['id']}"
-    assert answer.json()["state"] == "queued"
-    assert answer.json()["total"] == 12
+    unplanned = {"state": "planning", "total": None, "fields": None, "estimated_cost": None}
+    assert {name: answer.json()[name] for name in unplanned} == unplanned
     finished: dict[str, Any] = wait_for(client, answer.json()["id"])
     return finished
 
@@ -96,7 +96,7 @@ def test_files_hold_the_same_rows_with_units(client: httpx.Client, batch: dict[s
         assert line["core_version"] == row["core_version"]
         assert line["batch"] == batch["id"]
     assert plain["units"]["bump.body_acceleration.peak"] == "m/s^2"
-    assert plain["sweep"] == batch["sweep"]
+    assert plain["sweep"] == client.get(f"/api/v1/batches/{batch['id']}/sweep").json()
     assert plain["scenario"] == batch["scenario"]
 
 
@@ -124,7 +124,7 @@ def events(client: httpx.Client, batch_id: str, **options: Any) -> list[dict[str
 def test_events_tell_everything_once_and_replay_after_a_number(client: httpx.Client, batch: dict[str, Any]) -> None:
     heard = events(client, batch["id"])
     assert [event["id"] for event in heard] == list(range(1, len(heard) + 1))
-    assert [event["state"] for event in heard if event["event"] == "state"] == ["queued", "running", "done"]
+    assert [event["state"] for event in heard if event["event"] == "state"] == ["planning", "queued", "running", "done"]
     done = [event["done"] for event in heard]
     assert done == sorted(done)
     assert heard[-1] == {"id": len(heard), "event": "state", "state": "done", "done": 12, "failed": 0, "total": 12}
@@ -141,9 +141,9 @@ def test_a_latin_hypercube_is_spread_over_its_ranges_and_the_same_for_a_seed() -
     }
     cube = {"latin_hypercube": {"ranges": ranges, "samples": 20, "seed": 5}}
     sweep, base = sweep_points.Sweep.model_validate(cube), Scenario().model_dump(mode="json")
-    names, points = sweep_points.points(sweep, base)
-    assert names == list(ranges)
-    assert sweep_points.points(sweep, base) == (names, points)
+    points = sweep_points.points(sweep, base)
+    assert sweep_points.fields_of(sweep) == list(ranges)
+    assert sweep_points.points(sweep, base, 7, 5) == points[7:12]
     for name, (low, high) in ranges.items():
         values = [dotted.value(dotted.with_changes(base, point), name) for point in points]
         assert all(low <= value <= high for value in values)
@@ -226,16 +226,58 @@ def test_too_large_a_batch_is_refused_with_limit_and_estimate_and_nothing_is_sto
     answer = submit(client, many)
     assert answer.status_code == 422
     assert "400000 runs are over the limit of 100000" in answer.json()["detail"]
-    dear = {"grid": {"mpc.sample_time": [0.01, 0.002]}}
-    heavy = {
-        "road": {"length": 3000},
-        "speed": {"initial_speed_kmh": 20},
-        "mpc": {"solver": "osqp", "prediction_horizon": 200, "control_horizon": 100},
-    }
-    answer = submit(client, dear, scenario=heavy)
-    assert answer.status_code == 422
-    assert "over the limit of 30 s; the solver daqp, a shorter road" in answer.json()["detail"]
     assert listed(client) == before
+
+
+EXPENSIVE: dict[str, Any] = {
+    "road": {"length": 3000},
+    "speed": {"initial_speed_kmh": 20},
+    "mpc": {"solver": "osqp", "prediction_horizon": 200, "control_horizon": 100},
+}
+MANY_POINTS = [{"road.bump.height": 7 if index == 1500 else 0.1} for index in range(2000)]
+
+
+@pytest.mark.parametrize(
+    ("request_", "said"),
+    [
+        ({"scenario": EXPENSIVE, "sweep": {"grid": {"mpc.sample_time": [0.01, 0.002]}}}, "over the limit of 30 s"),
+        ({"sweep": {"list": MANY_POINTS}}, "/sweep/list/1500/road.bump.height"),
+        ({"sweep": {"list": [{"road.profile": "A" * 22}]}}, "There is no measured road"),
+    ],
+)
+def test_what_planning_finds_ends_the_batch_with_the_problem_of_a_dry_run(
+    client: httpx.Client, request_: dict[str, Any], said: str
+) -> None:
+    refused = submit(client, **request_, dry_run=True)
+    assert refused.status_code == 422
+    assert said in refused.text
+    accepted = submit(client, **request_)
+    assert accepted.status_code == 202
+    batch = wait_for(client, accepted.json()["id"])
+    assert batch["state"] == "failed"
+    assert batch["reason"] == refused.json()["detail"]
+    assert batch["problem"] | {"request_id": ""} == refused.json() | {"request_id": ""}
+    assert (batch["total"], batch["fields"], batch["resumable"]) == (None, None, True)
+    assert rows(client, batch["id"]) == []
+    assert events(client, batch["id"])[-1]["total"] is None
+    path = f"/api/v1/batches/{batch['id']}"
+    assert client.post(f"{path}/resume").json()["problem"] is None
+    assert wait_for(client, batch["id"])["reason"] == batch["reason"], "it was planned again"
+
+
+def test_the_largest_batch_is_accepted_before_it_is_planned_and_cancelled_meanwhile(
+    client: httpx.Client, worker_calls: list[tuple[Any, ...]]
+) -> None:
+    ranges = {"road.bump.height": [0.05, 0.1], "vehicle.body_mass": [1000, 1500]}
+    cube = {"latin_hypercube": {"ranges": ranges, "samples": 100_000}}
+    accepted = submit(client, cube, strategies=["passive"])
+    assert (accepted.status_code, accepted.json()["state"]) == (202, "planning")
+    assert worker_calls == []
+    path = f"/api/v1/batches/{accepted.json()['id']}"
+    assert client.get(f"{path}/sweep").json() == {"latin_hypercube": {**cube["latin_hypercube"], "seed": 0}}
+    assert client.post(f"{path}/cancel").json()["state"] == "cancelled"
+    assert client.get(path).json()["total"] is None
+    assert client.delete(path).status_code == 204
 
 
 def test_an_idempotency_key_again_is_the_same_batch_and_with_another_body_a_conflict(client: httpx.Client) -> None:
@@ -271,36 +313,6 @@ def test_fields_that_are_linked_take_the_same_value_at_each_point(client: httpx.
         (speed, speed, strategy) for speed in (20, 30.5) for strategy in ("lv", "passive")
     ]
     assert runs[0]["arrival_speed_kmh"] == pytest.approx(20, abs=0.5)
-    assert batch["notes"] == []
-
-
-def test_what_a_sweeps_runs_do_not_depend_on_is_said(client: httpx.Client) -> None:
-    grid = {"speed.target_speed_kmh": [20, 40, 60], "speed.initial_speed_kmh": [30, 50], "lqr.weights.0": [1, 2]}
-    estimate = submit(client, {"grid": grid}, dry_run=True).json()
-    assert estimate["notes"] == [
-        "LV control does not use weights: Body acceleration: its 12 runs give 6 results",
-        "Passive does not use target speed and weights: Body acceleration: its 12 runs give 2 results",
-        "At 6 of 12 points the target speed is above the initial speed, which LV control then keeps",
-    ]
-    thrice = submit(client, {"grid": {"road.bump.height": [0.1, 0.1, 0.1]}}, dry_run=True).json()
-    assert thrice["notes"] == ["2 of 3 points repeat an earlier one"]
-    targets = {"grid": {"speed.target_speed_kmh": [20, 40]}}
-    alike: dict[str, Any] = {"scenario": {"speed": {"policy": "constant"}}}
-    assert submit(client, targets, dry_run=True, **alike).json()["notes"] == [
-        f"{strategy} does not use target speed: its 2 runs give 1 result" for strategy in ("LV control", "Passive")
-    ]
-    alike["scenario"]["speed"]["policy"] = "planned"
-    assert submit(client, targets, dry_run=True, **alike).json()["notes"] == []
-    noise: dict[str, Any] = {
-        "grid": {"estimation.acceleration_noise": [0.1, 0.2], "road.bump.height": [0.04, 0.06]},
-        "linked": {"road.bump.height": ["estimation.deflection_noise"]},
-    }
-    assert submit(client, noise, dry_run=True, strategies=["lv"]).json()["notes"] == [
-        f"{title} is used only with estimation.kind = kalman, which no point has"
-        for title in ("Acceleration noise", "Deflection noise")
-    ]
-    filtered: dict[str, Any] = {"scenario": {"estimation": {"kind": "kalman"}}, "strategies": ["lv"]}
-    assert submit(client, noise, dry_run=True, **filtered).json()["notes"] == []
 
 
 def test_a_small_batch_does_not_wait_for_a_large_one_which_is_cancelled_and_goes_on(
@@ -384,6 +396,5 @@ def test_any_field_can_be_swept_and_what_it_takes_is_what_a_scenario_takes(data:
         with pytest.raises(sweep_points.SweepError):
             sweep_points.points(sweep, base)
     else:
-        names, (point,) = sweep_points.points(sweep, base)
-        assert names == [name]
+        (point,) = sweep_points.points(sweep, base)
         assert dotted.value(dotted.with_changes(base, point), name) == expected

@@ -14,6 +14,7 @@ from backend.db.tables import job_runs, links
 from backend.job_run import JobRun
 from backend.outcome import Outcome
 from backend.store import Store, StoredJob, StoredLink, jobs
+from backend.store.job import UNPLANNED
 from tests.there import there
 
 RUNS = 12
@@ -92,15 +93,6 @@ def test_runs_wait_page_by_page_until_their_result_is_there(store: Store, batch:
     assert (now.done, now.failed) == (4, 0)
 
 
-def test_a_result_of_another_batch_settles_a_run_without_computing(store: Store, batch: StoredJob) -> None:
-    other, _ = store.jobs.create(replace(BATCH, id="other"), rows(), None)
-    store.job_runs.save(other.id, computed("key-1", "key-5"), "1")
-    waiting = store.job_runs.waiting(batch.id, range(4))
-    assert [run.position for run in waiting] == [0, 2, 3]
-    now = there(store.jobs.load(batch.id))
-    assert now.done == 1, "the page held one of them"
-
-
 def test_what_is_saved_twice_counts_once(store: Store, batch: StoredJob) -> None:
     with ThreadPoolExecutor(4) as threads:
         jobs = [
@@ -150,14 +142,44 @@ def test_a_cancelled_batch_keeps_what_it_has_and_takes_no_more(store: Store, bat
     assert [row.status for row in before].count("cancelled") == RUNS - 3
 
 
-def test_another_core_version_takes_over_with_keys_of_its_own(store: Store, batch: StoredJob) -> None:
+def test_a_run_gets_its_key_when_it_is_handed_out_and_what_is_stored_is_not(store: Store, batch: StoredJob) -> None:
+    def handed_out(*runs: JobRun) -> list[int]:
+        return [run.position for run in store.job_runs.hand_out(batch.id, runs)]
+
+    waiting = store.job_runs.waiting(batch.id, range(RUNS))
+    assert handed_out(*waiting) == [], "it is queued"
+    store.jobs.start(batch.id)
+    assert handed_out(*waiting) == list(range(RUNS))
     store.job_runs.save(batch.id, computed("key-0"), "1")
-    store.job_runs.rekey(batch.id, {0: ("new", None), 1: ("key-new", None), 3: (None, "No such shape any more")})
-    by_position = {row.position: row for row in store.job_runs.rows(batch.id, -1, 100)}
-    assert by_position[0].core_version == "1", "what is there stays"
-    assert (by_position[3].status, by_position[3].reason) == ("failed", "No such shape any more")
-    store.job_runs.save(batch.id, computed("key-new"), "2")
-    assert {row.position: row.core_version for row in store.job_runs.rows(batch.id, -1, 2)} == {0: "1", 1: "2"}
+    other, _ = store.jobs.create(replace(BATCH, id="other"), rows())
+    store.job_runs.save(other.id, computed("key-new"), "2")
+    keyed = [waiting[0]._replace(key="late"), waiting[1]._replace(key="key-new"), waiting[2]._replace(key="newer")]
+    assert handed_out(*keyed, waiting[3]._replace(key="", reason="No such shape any more")) == [0, 2]
+    stored = store.job_runs.rows(batch.id, -1, 4)
+    assert [row.status for row in stored] == ["ok", "ok", "waiting", "failed"]
+    assert [row.core_version for row in stored] == ["1", "2", None, None]
+    assert stored[3].reason == "No such shape any more"
+    assert [run.key for run in store.job_runs.waiting(batch.id, [1, 2])] == ["newer"]
+
+
+def test_planning_adds_runs_in_pieces_begins_anew_and_stops_where_the_job_was_cancelled(store: Store) -> None:
+    unplanned = replace(BATCH, state="planning", total=0, estimated_cost=UNPLANNED)
+    job, _ = store.jobs.create(unplanned, (), "once")
+    runs = [run._replace(key="") for run in rows()]
+    for piece in (runs[:6], runs[6:9], runs[:5], runs[5:]):  # the first planning was interrupted
+        assert store.jobs.add_planned(job.id, piece)
+    store.jobs.end_planning(job.id, "queued", total=RUNS, failed=0, estimated_cost=1.5)
+    now = there(store.jobs.load(job.id))
+    assert (now.state, now.total, now.is_planned) == ("queued", RUNS, True)
+    assert len(store.job_runs.rows(job.id, -1, 100)) == RUNS
+    assert not store.jobs.add_planned(job.id, runs), "it is planned"
+    other, _ = store.jobs.create(replace(unplanned, id="other"), ())
+    store.jobs.cancel(other.id)
+    assert not store.jobs.add_planned(other.id, runs)
+    store.jobs.end_planning(other.id, "queued", total=RUNS)
+    assert there(store.jobs.load(other.id)).state == "cancelled"
+    store.jobs.resume(other.id)
+    assert there(store.jobs.load(other.id)).state == "planning"
 
 
 def test_a_cancelled_one_gives_its_key_away_and_goes_on_when_it_is_resumed(store: Store, batch: StoredJob) -> None:

@@ -227,13 +227,6 @@ def test_it_is_driven_as_in_the_library(service: Service) -> None:
     assert set(live["series"]) == {"time", "position", "front_force"}
 
 
-@pytest.mark.usefixtures("laws")
-def test_a_sweep_over_noise_that_it_may_read_without_a_filter_has_no_note(service: Service) -> None:
-    sweep = {"grid": {"estimation.deflection_noise": [0.001, 0.002]}}
-    body = {"scenario": SCENARIO, "strategies": ["mine", "lv"], "sweep": sweep, "dry_run": True}
-    assert service.post("/api/v1/batches", json=body).json()["notes"] == []
-
-
 def test_a_law_that_fails_costs_its_own_column_and_is_told_with_its_line(service: Service, folder: Path) -> None:
     laws = [named(name, body).partition("\n\n\n")[2] for name, body in BROKEN.items()]
     (folder / "broken.py").write_text("from sim_core import Controller, option\n" + "\n".join(laws))

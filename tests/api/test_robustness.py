@@ -11,6 +11,7 @@ from backend.batches.robustness import FIGURES, UNCERTAINTIES
 from backend.batches.summary_models import RobustnessDefaults
 from sim_core.scenario import dotted
 from tests.servers.batches import computed
+from tests.servers.process import wait_until
 
 # Nobody else's, so that nothing is stored yet; short, so that it is quick.
 BASE: dict[str, Any] = {"road": {"length": 92, "bump": {"start": 70}}, "speed": {"detection_distance": 50}}
@@ -94,6 +95,8 @@ def test_a_running_batch_is_summarised_by_its_finished_runs(client: httpx.Client
     body = {"scenario": {**BASE, "road": {**BASE["road"], "seed": 77}}, "strategies": ["passive"]}
     sweep = {"latin_hypercube": {"ranges": {"mismatch.body_mass": [0.8, 1.2]}, "samples": 100}}
     batch = client.post("/api/v1/batches", json={**body, "sweep": sweep}).json()["id"]
+    assert read(client, batch)["points"] in (0, 100), "it may not be planned yet"
+    wait_until(lambda: client.get(f"/api/v1/batches/{batch}").json()["total"], "it is planned")
     summary = read(client, batch)
     of = summary["strategies"]["passive"]
     assert summary["baseline"] == "passive"

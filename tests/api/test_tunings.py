@@ -43,7 +43,7 @@ def by_hand(client: httpx.Client, weights: Any, seeds: list[int]) -> tuple[list[
 def tuning(client: httpx.Client) -> dict[str, Any]:
     """A finished one of two objectives."""
     answer = begin(client, "the-one-read")
-    assert (answer["state"], answer["trials"]["done"], answer["paper"]) == ("queued", 0, None)
+    assert (answer["state"], answer["trials"]["done"], answer["paper"]) == ("planning", 0, None)
     finished = wait_for(client, answer["id"])
     assert finished["state"] == "done", finished["reason"]
     return finished
@@ -67,6 +67,7 @@ def test_every_generation_is_stored_and_has_an_event(client: httpx.Client, tunin
     assert [event["id"] for event in heard] == list(range(1, len(heard) + 1))
     kinds = [(event["event"], event["state"], event["step"]) for event in heard]
     assert kinds == [
+        ("state", "planning", "search"),
         ("state", "queued", "search"),
         ("state", "running", "search"),
         *[("progress", "running", "search")] * 3,

@@ -45,7 +45,7 @@ def wait_for(client: httpx.Client, tuning_id: str, generation: int = 1000) -> di
 
     def far_enough() -> bool:
         tuning.update(get(client, tuning_id))
-        return tuning["state"] not in ("queued", "running") or tuning["generation"] >= generation
+        return tuning["state"] not in ("planning", "queued", "running") or tuning["generation"] >= generation
 
     wait_until(far_enough, "the tuning gets there")
     return tuning

@@ -125,7 +125,6 @@ def swept(prepared: Prepared, outcomes: dict[str, Any], **more: Any) -> str:
         "done": 20,
         "failed": 1,
         "fields": [field],
-        "notes": ["said"],
         "scenario": SHORT,
         "strategies": ["lv"],
         **more,
@@ -144,7 +143,7 @@ def test_a_sweep_shows_its_first_rows_and_failed_runs_in_the_exit_code(
     assert re.split(r" {2,}", head.strip()) == [*heads, "bump.front_tyre_load.peak [N]"]
     assert first.split()[:3] == ["0", "lv", "ok"]
     assert more == "... 1 more; --out FILE writes all with every metric"
-    assert cli.error == f"batch {batch}: done, 20 of 21 done, 1 failed\nsaid\n"
+    assert cli.error == f"batch {batch}: done, 20 of 21 done, 1 failed\n"
     whole = json.loads(cli("sweep", scenario, "--grid", "road.seed=0:20:21", "--json", code=1))
     assert (whole["total"], whole["rows"][-1]["reason"]) == (21, "too steep")
 

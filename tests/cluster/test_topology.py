@@ -100,7 +100,7 @@ def wait_until_begun(client: httpx.Client, identifier: str) -> int:
 
 def assert_completes(client: httpx.Client, identifier: str, runs: int) -> None:
     """Every run once, every result stored once."""
-    wait_until(lambda: batch(client, identifier)["state"] not in ("queued", "running"), "the batch ends")
+    wait_until(lambda: batch(client, identifier)["state"] not in ("planning", "queued", "running"), "the batch ends")
     end = batch(client, identifier)
     rows = client.get(f"/api/v1/batches/{identifier}/results").json()["rows"]
     assert (end["state"], end["done"], end["failed"]) == ("done", runs, 0), {row["reason"] for row in rows}

@@ -69,7 +69,7 @@ class Process(Api):
     def finish(self) -> None:
         """Wait until every job that waits or runs has ended."""
         for kind in ("batches", "tunings"):
-            for state in ("queued", "running"):
+            for state in ("planning", "queued", "running"):
                 for job in self.client.get(f"/api/v1/{kind}?state={state}").raise_for_status().json()[kind]:
                     self.client.get(f"/api/v1/{kind}/{job['id']}/events")  # a stream that ends with it
 

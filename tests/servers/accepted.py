@@ -82,7 +82,7 @@ class Accepted:
 
         def is_over() -> bool:
             batch.update(ask(self.url, "GET", f"/batches/{batch_id}"))
-            return batch["state"] not in ("queued", "running")
+            return batch["state"] not in ("planning", "queued", "running")
 
         wait_until(is_over, f"{batch_id} ends", pause=0.2)
         assert (batch["state"], batch["done"], batch["failed"]) == ("done", self.runs, 0), batch["reason"]

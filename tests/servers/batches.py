@@ -20,7 +20,7 @@ def wait_for(client: httpx.Client, batch_id: str) -> Any:
         f"/api/v1/batches/{batch_id}/events", timeout=HANG_TIMEOUT
     ).raise_for_status()  # a stream that ends with it
     batch = client.get(f"/api/v1/batches/{batch_id}").json()
-    assert batch["state"] not in ("queued", "running")
+    assert batch["state"] not in ("planning", "queued", "running")
     return batch
 
 

@@ -5,11 +5,10 @@ import pickle
 
 import pytest
 
-from backend.batches.plan import plan
-from backend.batches.points import Sweep, SweepError
+from backend.batches.points import Sweep, SweepError, points
 from backend.compute.chunk_messages import Chunk
 from backend.compute.compute_chunk import compute_chunk
-from backend.job_run import JobRun, PackedRuns
+from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
 from backend.runs.compute_run import compute
@@ -61,14 +60,7 @@ def test_without_its_measured_road_a_run_fails_and_the_failure_is_not_stored() -
 
 def test_a_sweeps_errors_survive_the_way_from_a_worker() -> None:
     with pytest.raises(SweepError) as caught:
-        plan(BASE, ["lv"], Sweep.model_validate({"grid": {"road.bmp": [1], "road.seed": [-1]}}))
+        points(Sweep.model_validate({"grid": {"road.bmp": [1], "road.seed": [-1]}}), BASE)
     again = pickle.loads(pickle.dumps(caught.value))  # noqa: S301 - our own
     assert again.errors == caught.value.errors
     assert [path for path, _ in again.errors] == [["grid", "road.bmp"], ["grid", "road.seed", 0]]
-
-
-def test_packed_runs_come_out_as_they_went_in_and_again() -> None:
-    runs = [run._replace(position=position) for position in range(2500) for run in waiting(0.05)]
-    packed = PackedRuns(runs)
-    assert list(packed) == runs
-    assert list(packed) == runs, "a transaction that was rolled back reads them again"

@@ -5,7 +5,6 @@ from typing import Any
 import pytest
 from pydantic import ValidationError
 
-from backend.batches.notes import notes
 from sim_core.frequency.stability import least_damping
 from sim_core.scenario import Scenario, characteristics
 from sim_core.scenario.damper import hardest
@@ -64,10 +63,3 @@ def test_a_loop_is_judged_by_the_slopes_around_rest() -> None:
 def test_without_a_curve_nothing_is_known_by_it() -> None:
     assert "front_damper_curve" not in Scenario().vehicle.identity()
     assert scenario(CURVE).vehicle.identity()["front_damper_curve"] == CURVE
-
-
-def test_a_sweep_says_that_the_car_is_driven_with_the_curve() -> None:
-    base = scenario(CURVE).model_dump(mode="json")
-    (said,) = notes(base, [], {"vehicle.front_damping": ["vehicle.rear_damping"]}, [])
-    assert said.startswith("The front damper has a curve")
-    assert notes(Scenario().model_dump(mode="json"), [], {"vehicle.front_damping": []}, []) == []

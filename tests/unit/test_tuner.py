@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 from pydantic import ValidationError
 
 from backend.batches import robustness
+from backend.batches.kind import SWEEP
 from backend.job_run import JobRow
 from backend.jobs.chunk_cutter import RunningJob
-from backend.runs.compute_run import compute
 from backend.store.trials import StoredTrial
 from backend.tunings import comparison, front, space
 from backend.tunings.measure import Aims, Failure
@@ -285,7 +285,7 @@ def test_what_cannot_be_tuned_is_refused_at_its_field(body: dict[str, Any], plac
 def test_the_rest_of_a_batch_is_shared_among_its_processes() -> None:
     def running_job(total: int, sent: int = 0, estimated_cost: float = 1.5) -> RunningJob:
         job = replace(BATCH, total=total, estimated_cost=estimated_cost)
-        return RunningJob(compute=compute, job=job, order=np.arange(total), sent=sent)
+        return RunningJob(kind=SWEEP, job=job, order=np.arange(total), sent=sent)
 
     running = running_job(64, sent=32)
     running.record_time(32, 0.64)

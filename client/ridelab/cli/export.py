@@ -42,8 +42,8 @@ def export(
         if wait:
             follow_to_end(source.batch, services, *file_options(out, file_format), ours=False)
         elif not source.batch.finished:
-            left = source.batch.total - source.batch.done - source.batch.failed
-            note(f"The batch is {source.batch.state}: {left} of {source.batch.total} rows wait")
+            left = len(source.batch) - source.batch.done - source.batch.failed
+            note(f"The batch is {source.batch.state}: {left} of {len(source.batch)} rows wait")
         content = source.batch.content(kind)
     elif source.run is not None and metrics:
         text = json.dumps(with_units(source.run), indent=1, ensure_ascii=False) + "\n"

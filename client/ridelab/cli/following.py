@@ -57,9 +57,12 @@ def follow_to_end(job: Job, services: Services, *options: str, ours: bool = True
 
     Raises:
         typer.Exit: The command ends without its results, and what becomes of them has been said.
+        RidelabAPIError: It could not be planned.
     """
     try:
         _follow(job, timeout)
+        if job.problem is not None:
+            raise job.problem
         return 0
     except KeyboardInterrupt as interrupt:
         return _stopped(job, interrupt, resume_command(job, services, *options), ours=ours)
@@ -81,15 +84,15 @@ def file_options(out: str | None, file_format: str | None) -> list[str]:
 def show_detached(job: Job, services: Services, *options: str, as_json: bool) -> None:
     """Say which job was submitted and how to come back to it."""
     print_json(job.answer) if as_json else typer.echo(job.id)
-    note(f"{job.total} {'trials' if isinstance(job, Tuning) else 'runs'}; {resume_command(job, services, *options)}")
+    size = "Planning" if job.total is None else f"{job.total} {'trials' if isinstance(job, Tuning) else 'runs'}"
+    note(f"{size}; {resume_command(job, services, *options)}")
 
 
 def say_end(job: Job) -> int:
     """Say how it ended; the exit code."""
     if job.state == "failed":
         raise UnavailableError(f"The {job.NAME} {job.id} failed: {job.reason}")
-    note(f"{job.NAME} {job.id}: {job.state}, {job.done} of {job.total} done, {job.failed} failed")
-    _note_each(job.answer)
+    note(f"{job.NAME} {job.id}: {job.state}, {finished(job)} done, {job.failed} failed")
     return DIFFERENT if job.failed or job.state == "cancelled" else 0
 
 
@@ -101,13 +104,11 @@ def show_estimate(estimate: Mapping[str, Any], runs: str, units: str, *, as_json
     seconds = estimate.get("estimated_seconds")
     about = "" if seconds is None else f", about {seconds:.3g} s"
     typer.echo(f"{estimate[runs]} runs, {estimate[units]} {units}{about}")
-    _note_each(estimate)
 
 
-def _note_each(answer: Mapping[str, Any]) -> None:
-    """Which of a sweep's runs are alike, and why."""
-    for said in answer.get("notes", ()):
-        note(said)
+def finished(job: Job) -> str:
+    """Return how many of its runs succeeded, of how many: `3 of 6`."""
+    return f"{job.done}" if job.total is None else f"{job.done} of {job.total}"
 
 
 def _stopped(job: Job, interrupt: KeyboardInterrupt, follow_up: str, *, ours: bool) -> int:
@@ -121,7 +122,7 @@ def _stopped(job: Job, interrupt: KeyboardInterrupt, follow_up: str, *, ours: bo
         if not job.finished:
             job.cancel()
         word = "Cancelled" if job.state == "cancelled" else "Interrupted"
-        note(f"{word}; {job.done} of {job.total} are finished and stay stored: {job.NAME} {job.id}")
+        note(f"{word}; {finished(job)} are finished and stay stored: {job.NAME} {job.id}")
         return INTERRUPTED
     except (RidelabClientError, KeyboardInterrupt) as error:
         note(str(error) or "Interrupted again")
@@ -141,6 +142,7 @@ def _follow(job: Job, timeout: float | None) -> None:
             remarks += [f"{job.position} runs before it"] if job.position and job.state == "queued" else []
             remarks += [f"{job.feasible} within the limits"] if isinstance(job, Tuning) and job.answer["limits"] else []
             word = job.answer.get("step", job.state) if job.state == "running" else job.state
-            bar.update(task, description=word, completed=job.done + job.failed, remarks=", ".join(remarks))
+            ended, said = job.done + job.failed, ", ".join(remarks)
+            bar.update(task, description=word, total=job.total, completed=ended, remarks=said)
 
         job.follow(show, timeout=timeout)

@@ -5,7 +5,7 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import options, targets
-from ridelab.cli.following import follow_to_end, resume_command, say_end
+from ridelab.cli.following import finished, follow_to_end, resume_command, say_end
 from ridelab.cli.reporting import note, print_json, say, show_table
 from ridelab.cli.service import Services
 from ridelab.jobs import Job
@@ -13,12 +13,15 @@ from ridelab.jobs import Job
 JobId = Annotated[str, typer.Argument(metavar="JOB", help="Id of a batch or a tuning.")]
 JobIds = Annotated[list[str], typer.Argument(metavar="JOB...", help="Ids of batches and tunings.")]
 Text = Annotated[str, typer.Argument(metavar="TEXT", help="Empty takes the label away.")]
+_STATES = "planning, queued, running, done, cancelled or failed only."
 Timeout = Annotated[float | None, options.option("SECONDS", "Wait so long at most.", min=0)]
 
 
 def list_jobs(
     services: Services,
-    state: Annotated[str | None, options.option("STATE", "queued, running, done, cancelled or failed only.")] = None,
+    state: Annotated[
+        str | None, options.option("STATE", "planning, queued, running, done, cancelled or failed only.")
+    ] = None,
     label: Annotated[str | None, options.option("TEXT", "Of this label only.")] = None,
     limit: Annotated[int, typer.Option(metavar="N", min=1, help="The newest N.")] = 20,
     as_json: options.AsJson = False,
@@ -49,10 +52,10 @@ def show(services: Services, job_id: JobId, as_json: options.AsJson = False) -> 
         job.NAME: job.id,
         "label": job.label,
         "state": job.state + (f": {job.reason}" if job.reason else ""),
-        "done": f"{job.done} of {job.total}, {job.failed} failed",
+        "done": f"{finished(job)}, {job.failed} failed",
         "runs before it": job.position,
         "strategies": ", ".join(answer.get("strategies") or [answer.get("strategy", "")]),
-        "swept": ", ".join(each["name"] for each in answer.get("fields", [])),
+        "swept": ", ".join(each["name"] for each in answer.get("fields") or []),
         "core": answer.get("core_version"),
         "created": answer.get("created_at"),
         "finished": answer.get("finished_at"),

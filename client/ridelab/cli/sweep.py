@@ -129,12 +129,12 @@ def _write(batch: Batch, file_format: str, out: str, follow_up: str) -> None:
         raise
     if out != "-":
         cancelled = ", those that never ran with the status cancelled" if batch.state == "cancelled" else ""
-        note(f"Wrote {out}: all {batch.total} rows{cancelled}")
+        note(f"Wrote {out}: all {len(batch)} rows{cancelled}")
 
 
 def _preview(batch: Batch, services: Services) -> None:
     """The first rows, with the metrics most people look at."""
-    swept = [(item["name"], item["unit"]) for item in batch.answer["fields"]]
+    swept = [(item["name"], item["unit"]) for item in batch.answer["fields"] or []]
     rows = []
     for row in itertools.islice(batch.rows(), _PREVIEW):
         figures = dict(flat(row.get("metrics") or {}))
@@ -144,5 +144,5 @@ def _preview(batch: Batch, services: Services) -> None:
     heads += [with_unit(name, services.names.metrics[name]) for name in _FIGURES]
     heads.append("reason" if any(row[-1] for row in rows) else "")
     show_table(heads, rows)
-    if batch.total > len(rows):
-        typer.echo(f"... {batch.total - len(rows)} more; --out FILE writes all with every metric")
+    if len(batch) > len(rows):
+        typer.echo(f"... {len(batch) - len(rows)} more; --out FILE writes all with every metric")

@@ -2,6 +2,7 @@
 
 import { decodeBand, decodeSeries, mapped } from "./decode";
 import { ask, askFile } from "./http";
+import { readBatch } from "./jobs";
 import type {
   Link,
   LiveRequest,
@@ -34,7 +35,7 @@ export const api = {
   run: async (id: string, signal?: AbortSignal) => readRun(await ask("get", "/runs/{id}", { path: { id } }, signal)),
   link: async (slug: string, signal?: AbortSignal): Promise<Link> => {
     const link = await ask("get", "/links/{slug}", { path: { slug } }, signal);
-    return { ...link, run: link.run && readRun(link.run) };
+    return { ...link, run: link.run && readRun(link.run), batch: link.batch && (await readBatch(link.batch)) };
   },
   live: async (body: Omit<LiveRequest, "encoding">, signal?: AbortSignal) => {
     const question = { body: { ...body, encoding: "binary" } } as const;

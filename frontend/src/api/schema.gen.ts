@@ -29,6 +29,9 @@ export interface paths {
     readonly "/batches/{id}/summary": {
         readonly get: operations["getBatchSummary"];
     };
+    readonly "/batches/{id}/sweep": {
+        readonly get: operations["getBatchSweep"];
+    };
     readonly "/batches/{id}/table": {
         readonly get: operations["getBatchTable"];
     };
@@ -235,23 +238,23 @@ export interface components {
             readonly core_version: string;
             readonly created_at: string;
             readonly done: number;
-            readonly estimated_cost: number;
+            readonly estimated_cost: number | null;
             readonly failed: number;
-            readonly fields: readonly components["schemas"]["BatchField"][];
+            readonly fields: readonly components["schemas"]["BatchField"][] | null;
             readonly finished_at: string | null;
             readonly id: string;
             readonly label: string | null;
-            readonly notes: readonly string[];
             readonly position: number;
+            readonly problem: components["schemas"]["JobProblem"] | null;
             readonly reason: string | null;
             readonly requirements: readonly components["schemas"]["Requirement"][];
+            readonly resumable: boolean;
             readonly scenario: JsonObject;
             readonly started_at: string | null;
             /** @enum {string} */
-            readonly state: "queued" | "running" | "done" | "cancelled" | "failed";
+            readonly state: "planning" | "queued" | "running" | "done" | "cancelled" | "failed";
             readonly strategies: readonly string[];
-            readonly sweep: JsonObject;
-            readonly total: number;
+            readonly total: number | null;
         };
         readonly Batches: {
             readonly batches: readonly components["schemas"]["BatchItem"][];
@@ -268,22 +271,22 @@ export interface components {
             readonly core_version: string;
             readonly created_at: string;
             readonly done: number;
-            readonly estimated_cost: number;
+            readonly estimated_cost: number | null;
             readonly failed: number;
-            readonly fields: readonly components["schemas"]["BatchField"][];
+            readonly fields: readonly components["schemas"]["BatchField"][] | null;
             readonly finished_at: string | null;
             readonly id: string;
             readonly label: string | null;
-            readonly notes: readonly string[];
             readonly position: number;
+            readonly problem: components["schemas"]["JobProblem"] | null;
             readonly reason: string | null;
             readonly requirements: readonly components["schemas"]["Requirement"][];
             readonly scenario: JsonObject;
             readonly started_at: string | null;
             /** @enum {string} */
-            readonly state: "queued" | "running" | "done" | "cancelled" | "failed";
+            readonly state: "planning" | "queued" | "running" | "done" | "cancelled" | "failed";
             readonly strategies: readonly string[];
-            readonly total: number;
+            readonly total: number | null;
         };
         readonly BatchRequest: {
             readonly baseline?: string | null;
@@ -315,7 +318,7 @@ export interface components {
             readonly requirement_results: readonly components["schemas"]["BatchRequirementResult"][];
             readonly runs: readonly (("pass" | "fail" | "uncertain") | null)[];
             /** @enum {string} */
-            readonly state: "queued" | "running" | "done" | "cancelled" | "failed";
+            readonly state: "planning" | "queued" | "running" | "done" | "cancelled" | "failed";
         };
         readonly BatchResults: {
             readonly batch: string;
@@ -343,7 +346,7 @@ export interface components {
             readonly points: number;
             readonly quantiles: readonly number[];
             /** @enum {string} */
-            readonly state: "queued" | "running" | "done" | "cancelled" | "failed";
+            readonly state: "planning" | "queued" | "running" | "done" | "cancelled" | "failed";
             readonly strategies: {
                 readonly [key: string]: components["schemas"]["StrategySummary"];
             };
@@ -359,7 +362,7 @@ export interface components {
                 } | null)[];
             };
             /** @enum {string} */
-            readonly state: "queued" | "running" | "done" | "cancelled" | "failed";
+            readonly state: "planning" | "queued" | "running" | "done" | "cancelled" | "failed";
             readonly units: {
                 readonly [key: string]: string;
             };
@@ -734,7 +737,6 @@ export interface components {
             readonly contradictory: number;
             readonly estimated_cost: number;
             readonly estimated_seconds: number | null;
-            readonly notes: readonly string[];
             readonly points: number;
             readonly total: number;
         };
@@ -895,9 +897,20 @@ export interface components {
             readonly low: number;
             readonly mean: number;
         };
+        readonly InvalidPlace: {
+            readonly message: string;
+            readonly pointer: string;
+        };
         readonly IriAnswer: {
             readonly mean: number;
             readonly tracks: readonly number[];
+        };
+        readonly JobProblem: {
+            readonly detail: string;
+            readonly errors: readonly components["schemas"]["InvalidPlace"][];
+            readonly status: number;
+            readonly title: string;
+            readonly type: string;
         };
         readonly Judgement: {
             readonly certain: boolean | null;
@@ -1628,7 +1641,7 @@ export interface components {
             readonly comparison: components["schemas"]["TuningComparison"] | null;
             readonly core_version: string;
             readonly created_at: string;
-            readonly estimated_cost: number;
+            readonly estimated_cost: number | null;
             readonly finished_at: string | null;
             readonly fresh_seeds: readonly number[];
             readonly front: readonly components["schemas"]["Trial"][];
@@ -1644,6 +1657,7 @@ export interface components {
             readonly population: number;
             readonly position: number;
             readonly previews: readonly string[] | null;
+            readonly problem: components["schemas"]["JobProblem"] | null;
             readonly quantile: number | null;
             readonly reason: string | null;
             readonly scenario: JsonObject;
@@ -1655,7 +1669,7 @@ export interface components {
             readonly source: components["schemas"]["Source"] | null;
             readonly started_at: string | null;
             /** @enum {string} */
-            readonly state: "queued" | "running" | "done" | "cancelled" | "failed";
+            readonly state: "planning" | "queued" | "running" | "done" | "cancelled" | "failed";
             /** @enum {string} */
             readonly step: "search" | "comparison";
             readonly strategy: string;
@@ -1677,7 +1691,7 @@ export interface components {
             readonly batch: string | null;
             readonly core_version: string;
             readonly created_at: string;
-            readonly estimated_cost: number;
+            readonly estimated_cost: number | null;
             readonly finished_at: string | null;
             readonly fresh_seeds: readonly number[];
             readonly generation: number;
@@ -1688,6 +1702,7 @@ export interface components {
             readonly population: number;
             readonly position: number;
             readonly previews: readonly string[] | null;
+            readonly problem: components["schemas"]["JobProblem"] | null;
             readonly quantile: number | null;
             readonly reason: string | null;
             readonly search: {
@@ -1698,7 +1713,7 @@ export interface components {
             readonly source: components["schemas"]["Source"] | null;
             readonly started_at: string | null;
             /** @enum {string} */
-            readonly state: "queued" | "running" | "done" | "cancelled" | "failed";
+            readonly state: "planning" | "queued" | "running" | "done" | "cancelled" | "failed";
             /** @enum {string} */
             readonly step: "search" | "comparison";
             readonly strategy: string;
@@ -1853,7 +1868,9 @@ export type InstantAnswer = components['schemas']['InstantAnswer'];
 export type InstantForces = components['schemas']['InstantForces'];
 export type Interpretation = components['schemas']['Interpretation'];
 export type Interval = components['schemas']['Interval'];
+export type InvalidPlace = components['schemas']['InvalidPlace'];
 export type IriAnswer = components['schemas']['IriAnswer'];
+export type JobProblem = components['schemas']['JobProblem'];
 export type Judgement = components['schemas']['Judgement'];
 export type LabelRequest = components['schemas']['LabelRequest'];
 export type LatinHypercube = components['schemas']['LatinHypercube'];
@@ -1953,7 +1970,7 @@ export interface operations {
                 readonly cursor?: string | null;
                 readonly label?: string | null;
                 readonly limit?: number;
-                readonly state?: ("queued" | "running" | "done" | "cancelled" | "failed") | null;
+                readonly state?: ("planning" | "queued" | "running" | "done" | "cancelled" | "failed") | null;
             };
         };
         readonly responses: {
@@ -2132,6 +2149,20 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/json": components["schemas"]["BatchSummary"];
+                };
+            };
+        };
+    };
+    readonly getBatchSweep: {
+        readonly parameters: {
+            readonly path: {
+                readonly id: string;
+            };
+        };
+        readonly responses: {
+            readonly 200: {
+                content: {
+                    readonly "application/json": components["schemas"]["Sweep"];
                 };
             };
         };
@@ -2764,7 +2795,7 @@ export interface operations {
                 readonly cursor?: string | null;
                 readonly label?: string | null;
                 readonly limit?: number;
-                readonly state?: ("queued" | "running" | "done" | "cancelled" | "failed") | null;
+                readonly state?: ("planning" | "queued" | "running" | "done" | "cancelled" | "failed") | null;
             };
         };
         readonly responses: {

@@ -3,6 +3,9 @@
 import type { Series } from "./decode";
 import type { JsonObject, JsonValue } from "./json";
 import type {
+  Batch as BatchAnswer,
+  BatchField,
+  BatchItem as BatchItemAnswer,
   CharacteristicsAnswer as Characteristics,
   ComparisonAnswer as Comparison,
   CreatedRoadsRun,
@@ -14,6 +17,7 @@ import type {
   SolveRequest,
   StrategyFailure,
   StrategyResult,
+  Sweep,
   Trial,
   TuningRequest,
 } from "./schema.gen";
@@ -78,7 +82,16 @@ export interface OverRoads extends Pick<RoadsRun, "roads" | "baseline" | "change
 export interface Run extends RunAnswer {
   readonly over: OverRoads | null;
 }
-export type Link = Omit<LinkAnswer, "run"> & { readonly run: Run | null };
+export type Link = Omit<LinkAnswer, "run" | "batch"> & { readonly run: Run | null; readonly batch: Batch | null };
+
+/** Until it is planned a batch has no runs and no fields. */
+interface Planned {
+  readonly total: number;
+  readonly fields: readonly BatchField[];
+}
+export type BatchItem = Omit<BatchItemAnswer, keyof Planned> & Planned;
+/** A batch as the page has it: with its sweep. */
+export type Batch = Omit<BatchAnswer, keyof Planned> & Planned & { readonly sweep: Sweep };
 
 /** What `/solve` is asked beside the scenario. */
 export type Question = Omit<SolveRequest, "scenario">;

@@ -29,10 +29,14 @@ const BATCH = { id: "B", state: "done" };
 it("a sweep's address waits for a busy server, and asks again on a later visit", async () => {
   const { queries, router } = routes();
   const status = () => router.state.matches.at(-1)?.status;
-  answer.mockReturnValueOnce(new Response("{}", { status: 503 })).mockReturnValueOnce(Response.json(BATCH));
+  answer
+    .mockReturnValueOnce(new Response("{}", { status: 503 }))
+    .mockReturnValueOnce(Response.json(BATCH))
+    .mockReturnValueOnce(Response.json({ grid: {} }));
   await router.navigate({ to: "/b/$id", params: { id: "B" } });
   expect(status()).toBe("success");
-  expect(answer.mock.calls.flat()).toEqual(["/api/v1/batches/B", "/api/v1/batches/B"]);
+  const address = "/api/v1/batches/B";
+  expect(answer.mock.calls.flat()).toEqual([address, address, `${address}/sweep`]);
 
   await router.navigate({ to: "/sweeps" });
   queries.removeQueries({ queryKey: ["batch"] }); // as it is five minutes after nobody shows it

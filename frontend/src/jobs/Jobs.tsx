@@ -31,6 +31,7 @@ interface Props<Item extends Common, Job extends Item> extends Pick<JobStatus<Jo
 }
 
 const STATE: Readonly<Record<Common["state"], string>> = {
+  planning: "Planning…",
   queued: "Waiting for its turn",
   running: "Running",
   done: "Done",
@@ -50,9 +51,7 @@ export const NewJob = ({ to, label }: { readonly to: "/tuner" | "/robustness"; r
   </Button>
 );
 
-/** `12 runs before it`, empty where nothing is. */
-const waitsFor = ({ position }: Pick<Common, "position">) =>
-  position > 0 ? `${count(position, "run")} before it` : "";
+const waitsFor = ({ position }: Pick<Common, "position">) => `${count(position, "run")} before it`;
 
 export function JobState<Item extends Common, Job extends Item>({
   kind,
@@ -68,13 +67,12 @@ export function JobState<Item extends Common, Job extends Item>({
   const cancel = useJobCall(kind, job.id, () => kind.calls.cancel(job.id));
   const { done, failed, total } = kind.counts(job);
   const ended = isFinal(job);
-  const waits = job.state === "queued" ? waitsFor(job) : "";
   return (
     <Card className={ui.part} aria-label="Progress" data-state={job.state}>
       <Group gap="0.3rem 0.9rem" mih={30}>
         <Text fw={650} role="status" data-testid={`${kind.name}-state`}>
           {texts?.[job.state] ?? STATE[job.state]}
-          {waits && `, ${waits}`}
+          {job.state === "queued" && job.position > 0 && `, ${waitsFor(job)}`}
           {job.reason !== null && `: ${job.reason}`}
         </Text>
         <Text flex="1 1 12rem" c="dimmed" data-testid={`${kind.name}-counts`}>
@@ -225,7 +223,7 @@ function JobEntry<Item extends Common, Job extends Item>({
         <span className={`${ui.dim} ${item.state === "failed" ? ui.error : ""}`}>
           {[
             (item.state === "queued" ? "waiting" : item.state) +
-              (item.state === "done" ? "" : `, ${formatWhole(done + failed)} of ${formatWhole(total)}`),
+              (item.state === "done" || total === 0 ? "" : `, ${formatWhole(done + failed)} of ${formatWhole(total)}`),
             ...(item.position > 0 ? [waitsFor(item)] : []),
           ].join(" · ")}
         </span>

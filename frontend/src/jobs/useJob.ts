@@ -34,7 +34,8 @@ export const BATCH: JobKind<BatchItem, Batch> = {
   page: "/b/$id",
   counts: (batch) => batch,
   withEvent: (batch, event) => {
-    if (isFinal(event)) return null; // when it ended, and why, no event says
+    // When it ended, and why, no event says, nor what planning found.
+    if (isFinal(event) || batch.state === "planning") return null;
     // The first events are of the past.
     return event.done + event.failed < batch.done + batch.failed ? batch : { ...batch, ...event };
   },
@@ -190,7 +191,7 @@ const EVENT: JobEvent = { state: "queued", done: 0, failed: 0, total: 0 };
 
 function read(text: string): JobEvent | null {
   try {
-    const value: unknown = JSON.parse(text);
+    const value: unknown = JSON.parse(text, (key, part: unknown) => (key === "total" ? (part ?? 0) : part));
     return isLike(EVENT, value) ? value : null;
   } catch {
     return null;

@@ -1,7 +1,7 @@
 /** How far a sweep is and what it sweeps over, and a list of those there are. */
 
-import { Box, Button } from "@mantine/core";
-import { ask } from "../../api/http";
+import { Button } from "@mantine/core";
+import { resumeBatch } from "../../api/jobs";
 import type { Batch } from "../../api/types";
 import { otherThanPaper } from "../scenarioSource/ScenarioChoice";
 import { useForm, useStrategies } from "../../server/useCatalogues";
@@ -20,8 +20,8 @@ interface Props {
 }
 
 export function BatchState({ batch, connected, left, readOnly }: Props) {
-  const resume = useJobCall(BATCH, batch.id, () => ask("post", "/batches/{id}/resume", { path: { id: batch.id } }));
-  const goOn = batch.state === "cancelled" && (
+  const resume = useJobCall(BATCH, batch.id, () => resumeBatch(batch.id));
+  const goOn = batch.resumable && (
     <Button loading={resume.isPending} onClick={() => resume.mutate(undefined)}>
       Resume
     </Button>
@@ -30,10 +30,15 @@ export function BatchState({ batch, connected, left, readOnly }: Props) {
     <JobState
       kind={BATCH}
       job={batch}
-      counts={<Counts batch={batch} />}
+      counts={batch.total > 0 && <Counts batch={batch} />}
       {...{ left, connected, readOnly }}
       resume={goOn}
     >
+      {batch.problem?.errors.map(({ pointer, message }) => (
+        <Fault key={pointer}>
+          {pointer}: {message}
+        </Fault>
+      ))}
       {resume.isError && <Fault>It could not be resumed: {resume.error.message}</Fault>}
       <Note>
         {facts(batch)}.{" "}
@@ -43,13 +48,6 @@ export function BatchState({ batch, connected, left, readOnly }: Props) {
           batch.fields.map(({ name }) => name),
         )}
       </Note>
-      {batch.notes.length > 0 && (
-        <Box component="ul" m={0} pl="1.1rem" fz="xs" c="dimmed">
-          {batch.notes.map((note) => (
-            <li key={note}>{note}.</li>
-          ))}
-        </Box>
-      )}
     </JobState>
   );
 }
@@ -72,8 +70,8 @@ function Counts({ batch }: { readonly batch: Batch }) {
 
 function facts(batch: Batch): string {
   const { strategies, total } = batch;
-  const points = count(total / Math.max(1, strategies.length), "point");
-  return `${points} × ${count(strategies.length, "strategy", "strategies")} · submitted ${historyOf(batch)}`;
+  const points = total > 0 ? `${count(total / strategies.length, "point")} × ` : "";
+  return `${points}${count(strategies.length, "strategy", "strategies")} · submitted ${historyOf(batch)}`;
 }
 
 interface ListProps {

@@ -43,11 +43,10 @@ export const amountOf =
   ({ total, points }: Estimate) =>
     `${count(total, "run")} (${count(points, "point")} × ${count(strategies, "strategy", "strategies")})`;
 
-export const notesOf = ({ notes, contradictory, total }: Estimate): readonly string[] =>
+export const notesOf = ({ contradictory, total }: Estimate): readonly string[] =>
   contradictory === 0
-    ? notes
+    ? []
     : [
-        ...notes,
         `In ${contradictory === total ? "all" : count(contradictory, "run")} of them values contradict each other: these runs fail and say why`,
       ];
 

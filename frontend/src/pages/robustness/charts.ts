@@ -6,7 +6,7 @@ import { chartLayout, lineTrace, type Palette } from "../../plots/palettes";
 import type { ChartOnPaper } from "../../plots/paperChart";
 import type { PointTrace } from "../../plots/plotly";
 import { titleWithUnit } from "../../units/format";
-import { quantile, sweepOf } from "./study";
+import { quantile } from "./study";
 import { nameOf } from "./RunButton";
 import { humanise } from "../../scenario/schema";
 import { type Cell, cell, type Columns } from "../../features/sweep/table";
@@ -173,6 +173,6 @@ export function tornadoOf(batch: Batch, columns: Columns, strategy: StrategyId, 
 
 /** It is a study of this kind: the scenario itself, then two points for each field. */
 export function isOneByOne(batch: Batch): boolean {
-  const { list } = sweepOf(batch);
+  const { list } = batch.sweep;
   return list?.length === 2 * batch.fields.length + 1 && Object.keys(list[0] ?? {}).length === 0;
 }

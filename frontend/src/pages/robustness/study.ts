@@ -38,13 +38,10 @@ interface Sweeps {
   readonly oneByOne: Sweep | null;
 }
 
-/** As it was sent: the server takes nothing else. */
-export const sweepOf = ({ sweep }: Pick<Batch, "sweep">) => sweep as Sweep;
-
 /** The study as the server proposes it; `made` is one that exists and is to be changed. */
 export function draftStudy(defaults: RobustnessDefaults, form: Group, existing?: Batch): StudyDraft {
   const fields = sweepFields(form);
-  const cube = existing && sweepOf(existing).latin_hypercube;
+  const cube = existing?.sweep.latin_hypercube;
   const proposed = defaults.ranges.map(({ field, low, high, why }) => ({
     name: field,
     why,

@@ -38,7 +38,7 @@ function Sweep({ id, view, onView, link }: Props) {
   const { job: batch, connected, left } = useJob(BATCH, id, link?.batch ?? undefined);
   return (
     <Page
-      title={batch.label ?? `Sweep of ${titleOf(batch.fields)}`}
+      title={batch.label ?? (batch.total > 0 ? `Sweep of ${titleOf(batch.fields)}` : "Sweep")}
       above={link && <SharedNote link={link} what="sweep" />}
       tools={
         <>
