@@ -170,8 +170,8 @@ def test_drives_of_other_roads_are_not_placed(count: int) -> None:
 SCALED, OTHER = 0.9 * LARGEST_SCALE_ERROR, {"mismatch": Mismatch(damping=0.7, body_mass=1.2)}
 SOFTER = {"vehicle": Vehicle(front_damping=0.8 * 6000, rear_damping=0.8 * 6000)}
 # Strategy, start [s], drift, the car that was driven, noise, signals; how far offset [m] and scale may be off. Without
-# noise within the spacing of the refinement (2 cm) over twenty; of 150 m that is a drift of 7e-6. Another car moves it by
-# half a wheel's oscillation, 35 ms or half a metre, at most; so does a third of noise where there is one signal alone.
+# noise within the spacing of the refinement (2 cm) over twenty; of 150 m that is a drift of 7e-6. Another car moves it
+# by half a wheel's oscillation, 35 ms or half a metre, at most; so does a third of noise of one signal.
 MADE: list[tuple[str, float, float, dict[str, Any], float, tuple[str, ...], float, float]] = [
     ("passive", 0.0, 0.0, {}, 0.0, PLACED, 0.001, 1e-5),
     ("passive", 1.37, 0.002, {}, 0.0, PLACED, 0.001, 1e-5),
