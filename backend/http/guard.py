@@ -88,6 +88,9 @@ class GuardMiddleware:
                 await send({"type": "http.response.body", "body": b""})
 
         inner = {**scope, "method": "GET"} if head else scope
+        if scope["path"].startswith("/api/") and scope["path"].endswith("/"):
+            # Answered as it is: the address of a redirect would come from the request.
+            inner = {**inner, "path": scope["path"].rstrip("/"), "raw_path": scope["raw_path"].rstrip(b"/")}
         try:
             await (self._check_head(scope) or self.app)(inner, receive, guarded)
         except ClientDisconnect:

@@ -15,7 +15,7 @@ from starlette.exceptions import HTTPException
 from backend.errors import EcuUnavailableError, ServiceError
 from backend.http.kinds import KINDS, OF_STATUS, TYPES
 from backend.http.request_log import request_id
-from backend.http.validation import blamed
+from backend.http.validation import to_field_error
 from backend.metrics import REFUSED, STORE_ERRORS
 from backend.unknown_names import pointer
 from sim_core.errors import RidelabError, TooExpensiveError
@@ -166,7 +166,7 @@ async def _invalid(request: Request, error: Exception) -> Response:
     error = cast(RequestValidationError, error)
     body = getattr(request.scope.get("route"), "body_field", None)
     model = body.field_info.annotation if body is not None else None
-    errors = [blamed(item, model) for item in error.errors()[:MOST_ERRORS]]
+    errors = [to_field_error(item, model) for item in error.errors()[:MOST_ERRORS]]
     return problem("invalid-request", errors=errors)
 
 

@@ -22,6 +22,7 @@ from backend.http.client_key import client_key
 from backend.http.parts import parts_of
 from backend.http.problems import MOST_ERRORS, RequestError
 from backend.http.tokens import CALLER
+from backend.http.validation import with_nested_scenario
 from backend.plain_text import MESSAGE, is_plain
 from backend.settings import MAX_BODY_BYTES
 from backend.unknown_names import is_name, unknown_name
@@ -116,7 +117,7 @@ class StrictRoute(APIRoute):
             await ticket.turn()
             await parts_of(request).own_files.current()
             if body and not self.FILES:
-                request._json = await _parse(body, self.MAX_VALUES)
+                request._json = with_nested_scenario(await _parse(body, self.MAX_VALUES))
             return await handler(request)
 
         async def strict(request: Request) -> Response:

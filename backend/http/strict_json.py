@@ -1,6 +1,7 @@
 """Strict JSON: refuses what two parsers could read differently, or could fail on.
 
-orjson reads it. The standard library's parser goes first, for what only its hooks can see: a key that is there twice.
+The standard library's parser reads it, whose hooks see a key that is there twice; then orjson has to take it too, which
+refuses numbers that no double holds and halves of surrogate pairs.
 """
 
 import json
@@ -8,6 +9,7 @@ from typing import Any, NoReturn
 
 import orjson
 
+LARGEST_EXACT, LARGEST_INTEGER = 2**53, 2**63  # up to which a double holds every integer; and a database's integers
 MAX_DEPTH = 32
 MAX_MEMBERS = 256  # of one object; no schema here has more names to choose from
 MAX_VALUES = 250_000  # of one body; a list of 100,000 runs fits into the longest body only with fewer
@@ -39,7 +41,13 @@ def parse(body: bytes, *, max_values: int = MAX_VALUES) -> Any:
     if opened + body.count(b",") > max_values:
         raise StrictJSONError(413, f"The body may hold {max_values} values")
     try:
-        json.loads(body.decode("utf-8"), object_pairs_hook=_check_members, parse_constant=_refuse_constant)
+        value = json.loads(
+            body.decode("utf-8"),
+            object_pairs_hook=_members,
+            parse_constant=_refuse_constant,
+            parse_float=_number,
+            parse_int=_integer,
+        )
     except StrictJSONError:
         raise
     except (UnicodeDecodeError, RecursionError):
@@ -50,7 +58,7 @@ def parse(body: bytes, *, max_values: int = MAX_VALUES) -> Any:
     except ValueError:  # of int: thousands of digits
         raise StrictJSONError(422, "A number is larger than any double") from None
     try:
-        value = orjson.loads(body)
+        orjson.loads(body)
     except orjson.JSONDecodeError:
         message = "A number is larger than any double, or a text holds half of a surrogate pair, which is no character"
         raise StrictJSONError(422, message) from None
@@ -67,11 +75,24 @@ def _is_deeper(value: Any, limit: int) -> bool:
     return bool(level)
 
 
-def _check_members(pairs: list[tuple[str, Any]]) -> None:
+def _members(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     if len(pairs) > MAX_MEMBERS:
         raise StrictJSONError(422, f"An object may have {MAX_MEMBERS} members")
-    if len({name for name, _ in pairs}) < len(pairs):
+    members = dict(pairs)
+    if len(members) < len(pairs):
         raise StrictJSONError(422, "An object has the same key twice")
+    return members
+
+
+def _number(text: str) -> float | int:
+    """Return 2 for `2.0`: JSON knows one kind of number, and many programs write integers so."""
+    number = float(text)
+    return int(number) if number.is_integer() and abs(number) < LARGEST_EXACT else number
+
+
+def _integer(text: str) -> float | int:
+    number = int(text)
+    return number if -LARGEST_INTEGER <= number < 2 * LARGEST_INTEGER else float(text)
 
 
 def _refuse_constant(_: str) -> NoReturn:

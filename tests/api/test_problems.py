@@ -16,6 +16,7 @@ from backend.errors import (
     WorkersBusyError,
     WorkerTimeoutError,
 )
+from backend.http import openapi
 from backend.http.guard import HEADERS
 from backend.http.kinds import KINDS
 from backend.http.problems import Problem
@@ -53,10 +54,13 @@ def test_unknown_addresses_are_404(client: httpx.Client) -> None:
     check(client.post("/api/v1/nothing", json={}), 404, "not-found")
 
 
-@pytest.mark.parametrize(("method", "path", "allowed"), [("DELETE", "runs", {"POST"}), ("POST", "schema", {"GET"})])
-def test_a_wrong_method_is_405_and_says_which_are_right(
-    client: httpx.Client, method: str, path: str, allowed: set[str]
+@pytest.mark.parametrize(
+    ("method", "path", "allowed"), [("DELETE", "runs", {"POST"}), ("PUT", "batches", {"GET", "POST"})]
+)
+def test_a_wrong_method_is_405_and_says_which_are_right_without_describing_all_others(
+    client: httpx.Client, method: str, path: str, allowed: set[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(openapi, "describe", None)  # takes seconds
     response = client.request(method, f"/api/v1/{path}")
     check(response, 405, "method-not-allowed")
     assert {name.strip() for name in response.headers["allow"].split(",")} == allowed

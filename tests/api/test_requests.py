@@ -183,3 +183,52 @@ def test_wrong_parameters_are_reported_together_with_similar_names(client: httpx
 def test_pages_and_files_take_any_parameter(client: httpx.Client) -> None:
     for path in ("/r/AAAAAAAAAAAAAAAAAAAAAA", "/docs", "/openapi.json", "/healthz", "/readyz", "/metrics"):
         assert client.get(path, params={"utm_source": "mail"}).status_code == client.get(path).status_code < 400
+
+
+@pytest.mark.parametrize(
+    ("scenario", "same"),
+    [
+        ({"road": {"seed": 3.0}}, {"road": {"seed": 3}}),
+        ({"mpc": {"prediction_horizon": 2e1}}, {"mpc": {"prediction_horizon": 20}}),
+        ({"road.bump.height": 0.1}, {"road": {"bump": {"height": 0.1}}}),
+        ({"road.bump.height": 0.1, "road": {"bump": {"width": 0.5}}, "road.seed": 4.0}, None),
+    ],
+    ids=str,
+)
+def test_integers_may_be_written_as_other_programs_do_and_fields_nested_or_dotted(
+    client: httpx.Client, scenario: dict[str, Any], same: dict[str, Any] | None
+) -> None:
+    same = same or {"road": {"seed": 4, "bump": {"height": 0.1, "width": 0.5}}}
+    sent, nested = (
+        client.post("/api/v1/runs", json={"scenario": each, "strategies": ["passive"]}) for each in (scenario, same)
+    )
+    assert sent.status_code == nested.status_code == 200, sent.text
+    assert sent.json()["id"] == nested.json()["id"]
+    assert client.post("/api/v1/live", json={"strategies": ["passive"], "points": 100.0}).status_code == 200
+
+
+@pytest.mark.parametrize(
+    ("scenario", "pointer", "message"),
+    [
+        ({"road": {"seed": 2.5}}, "/scenario/road/seed", "valid integer"),
+        ({"road": {"seed": 1e300}}, "/scenario/road/seed", "valid integer"),
+        ({"road.bump.hight": 0.1}, "/scenario/road/bump/hight", "perhaps height"),
+        ({"road.seed": 1, "road": {"seed": 1}}, "/scenario/road.seed", "twice, nested and dotted"),
+        ({"road.seed.x": 1, "road": {"seed": 1}}, "/scenario/road.seed.x", "below a field"),
+    ],
+    ids=str,
+)
+def test_what_is_no_integer_and_no_field_is_said_where_it_stands(
+    client: httpx.Client, scenario: dict[str, Any], pointer: str, message: str
+) -> None:
+    answer = client.post("/api/v1/runs", json={"scenario": scenario, "strategies": ["passive"]})
+    problem = check(answer, 422, "invalid-request")
+    assert [error.pointer for error in problem.errors] == [pointer]
+    assert message in problem.errors[0].message
+
+
+def test_a_trailing_slash_is_the_same_address(client: httpx.Client) -> None:
+    assert client.get("/api/v1/presets/").json() == client.get("/api/v1/presets").json()
+    assert client.post("/api/v1/runs/", json={"strategies": ["passive"]}).status_code == 200
+    assert client.get("/api/v1/runs/").headers["allow"] == client.get("/api/v1/runs").headers["allow"]
+    assert client.get("/api/v1//").status_code == 404
