@@ -184,9 +184,9 @@ def _application(settings: "Settings") -> "FastAPI":
 
     from backend.app import create_app
     from backend.command_error import CommandError
-    from backend.compute import processes
+    from backend.compute import memory
 
-    processes.return_freed_memory()
+    memory.return_freed_memory()
     try:
         app = create_app(settings, workers)
         app.state.services.store.migrate()

@@ -24,7 +24,7 @@ from backend.api import (
     site,
     tunings,
 )
-from backend.compute import processes
+from backend.compute import memory
 from backend.compute.workers import Workers
 from backend.file_formats import BINARY
 from backend.http import openapi, problems
@@ -126,7 +126,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
 async def _trim_memory() -> None:
     while True:
         await asyncio.sleep(TRIM_INTERVAL)
-        await asyncio.to_thread(processes.trim_memory)
+        await asyncio.to_thread(memory.trim_memory)
 
 
 @asynccontextmanager

@@ -7,7 +7,7 @@ from time import process_time
 
 import numpy as np
 
-from backend.compute.processes import keep_freed_memory
+from backend.compute.memory import keep_freed_memory
 from benchmarks import plain_osqp_loop
 from benchmarks.timing import fresh_process, median_ms, peak_memory_mb, table
 from sim_core import Controller, Scenario, load_controllers

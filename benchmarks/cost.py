@@ -18,7 +18,7 @@ import numpy as np  # noqa: E402 - after the thread limits
 from pydantic import BaseModel, ValidationError  # noqa: E402 - after the thread limits
 from pydantic.fields import FieldInfo  # noqa: E402 - after the thread limits
 
-from backend.compute.processes import keep_freed_memory  # noqa: E402 - after the thread limits
+from backend.compute.memory import keep_freed_memory  # noqa: E402 - after the thread limits
 from backend.cost.affordable import simulate  # noqa: E402 - after the thread limits
 from backend.cost.estimate import estimate  # noqa: E402 - after the thread limits
 from benchmarks.timing import table  # noqa: E402 - after the thread limits

@@ -14,7 +14,7 @@ from multiprocessing import get_context
 import numpy as np
 from scipy.linalg import expm
 
-from backend.compute.processes import keep_freed_memory
+from backend.compute.memory import keep_freed_memory
 from backend.paper import claims
 from backend.paper.absolutes import UNCONTROLLED, distance, printed
 from backend.paper.claims import FIGURES, SIMULATED

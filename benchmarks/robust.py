@@ -18,7 +18,7 @@ import optuna
 from scipy.stats import qmc
 
 from backend.batches.robustness import UNCERTAINTIES
-from backend.compute.processes import keep_freed_memory
+from backend.compute.memory import keep_freed_memory
 from sim_core import FloatArray, simulate
 from sim_core.catalogue import METRICS, PAPER_METRICS
 from sim_core.scenario import Scenario, dotted

@@ -6,7 +6,7 @@ Table 2's C_s1 and C_s2 are equal, so that only the force differs.
 from dataclasses import replace
 from unittest import mock
 
-from backend.compute.processes import keep_freed_memory
+from backend.compute.memory import keep_freed_memory
 from sim_core.scenario import Vehicle
 from sim_core.vehicle.half_car import LinearModel, half_car
 

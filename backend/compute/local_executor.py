@@ -31,7 +31,7 @@ class LocalExecutor:
         """Compute a chunk in a process."""
         if chunk.group in self._stopped:
             return ChunkOutcome(computed=[])
-        # Jobs are the clients that take turns; one that is stopped is interrupted at once, as it costs a whole budget.
+        # Jobs are the clients that take turns; one that is stopped ends at once, as it costs a whole budget.
         task = asyncio.create_task(self._workers.call(compute_chunk, chunk, client=chunk.group, cost=chunk.budget))
         computing = self._computing.setdefault(chunk.group, set())
         computing.add(task)

@@ -1,31 +1,46 @@
-"""A worker process: a pool of one.
+"""A worker process, and what happens inside: it takes one task after the other through a pipe of its own.
 
-One that dies, hangs or breaks its pipe breaks its pool, which is thrown away whole, with every lock in it.
+Nothing is shared with other workers, no queue and no lock: one that dies or hangs takes its own task with it.
 """
 
 import asyncio
 import contextlib
 import multiprocessing
 import os
+import pickle
+import resource
 import signal
 import sys
+import threading
 from collections.abc import Callable, Iterator
-from concurrent.futures import Future, wait
-from concurrent.futures.process import BrokenProcessPool
-from multiprocessing import forkserver, resource_tracker
-from typing import Any, TypeVar
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from importlib import import_module
+from multiprocessing import forkserver, parent_process, resource_tracker
+from multiprocessing.connection import Connection
+from multiprocessing.pool import ExceptionWithTraceback  # type: ignore[attr-defined]  # typeshed does not have it
+from pathlib import Path
+from typing import Any
 
-from pebble import ProcessPool
+from backend.compute.memory import keep_freed_memory
 
-from backend.compute import processes
-
-T = TypeVar("T")
 # Elsewhere a system's own libraries may fail in what was forked.
 METHOD = "forkserver" if sys.platform == "linux" else "spawn"
-GRACE = 15.0  # beyond the task's own time limit: then the pool itself is stuck [s]
 WARM_UP = 120.0  # a new process may take to import and warm up, on a busy machine [s]
-STARTING = 1.0  # a process that is ended before it is warm may take to start [s]
-POLL_INTERVAL = 0.25  # of a process that computes [s]
+_STATM = Path("/proc/self/statm")
+
+
+class WorkerDiedError(Exception):
+    """The process has ended before it answered."""
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What a task gave, or why it failed, and the process's resident memory afterwards [bytes]; 0 outside Linux."""
+
+    value: Any
+    error: Exception | None
+    memory: int
 
 
 def begin(warm_up: str) -> None:
@@ -54,84 +69,114 @@ def _interrupts_blocked() -> Iterator[None]:
 
 
 class WorkerProcess:
-    """A process that has warmed up before its first task.
+    """A process that warms up before its first task.
 
     A fork server's child shares what that has warmed and is there at once; the first one waits for the server.
 
     Args:
         warm_up: Name of a module whose import warms up.
-        nice: How far behind other processes it stands.
-
-    Raises:
-        BrokenProcessPool: It broke at once.
+        nice: How far behind other processes it stands (0 to 19).
     """
 
     def __init__(self, warm_up: str, nice: int) -> None:
+        context = _context(warm_up)
+        self._pipe, theirs = context.Pipe()
+        self._process = context.Process(target=_serve, args=(theirs, warm_up, nice), daemon=True)
         with _interrupts_blocked():
-            self._pool = ProcessPool(
-                max_workers=1, initializer=processes.start, initargs=(nice,), context=_context(warm_up)
-            )
-            self._warm = self._schedule(processes.prepare, (warm_up,), WARM_UP)
-        self._pid = 0
+            self._process.start()
+        theirs.close()
+        self._waiting = ThreadPoolExecutor(1, thread_name_prefix="worker")  # for its answer
 
     @property
     def active(self) -> bool:
         """Whether it still accepts tasks."""
-        return bool(self._pool.active)
+        return bool(self._process.is_alive())
 
     async def wait_until_warm(self) -> None:
-        """Wait until it is warm; raises the error that prevented it."""
-        self._pid = await self._result(self._warm, WARM_UP)
-
-    async def call(self, function: Callable[..., T], args: tuple[Any, ...], timeout: float) -> tuple[T, int]:
-        """The function's result, and the resident memory of the process afterwards [bytes].
+        """Wait until it is warm.
 
         Raises:
-            BrokenProcessPool: It broke.
-            ProcessExpired: The process died.
-            TimeoutError: It took longer than `timeout` [s] and was ended, or the pool is stuck.
+            WorkerDiedError: It ended before.
+            TimeoutError: It took too long.
+        """
+        async with asyncio.timeout(WARM_UP):
+            await asyncio.get_running_loop().run_in_executor(self._waiting, self._receive)
+
+    async def call(self, function: Callable[..., Any], args: tuple[Any, ...], timeout: float) -> Answer:
+        """Return what `function(*args)` gives there.
+
+        Raises:
+            WorkerDiedError: The process died.
+            TimeoutError: It took longer than `timeout` [s]; it goes on until `end`.
         """
         from backend import custom_controllers  # takes the core, which the service imports beside its first worker
 
-        task = self._schedule(
-            processes.call_and_measure, (function, args, custom_controllers.controller_sources()), timeout
-        )
-        result: tuple[T, int] = await self._result(task, timeout)
-        return result
-
-    def interrupt(self) -> None:
-        """Call its task off; the process stays, as long as the task is Python or ends soon."""
-        with contextlib.suppress(ProcessLookupError):  # it has just died
-            os.kill(self._pid, processes.INTERRUPT)
+        task = function, args, custom_controllers.controller_sources()
+        async with asyncio.timeout(timeout):
+            answer: Answer = await asyncio.get_running_loop().run_in_executor(self._waiting, self._ask, task)
+        return answer
 
     def end(self) -> None:
-        """End its process; takes at most a few seconds."""
-        wait([self._warm], STARTING)  # it would complain of locks that are gone
-        with contextlib.suppress(Exception):  # a broken pool may fail to end tidily; its process is ended all the same
-            self._pool.stop()  # type: ignore[no-untyped-call]  # pebble leaves it untyped
-            self._pool.join()
+        """End the process, whatever it does; takes some milliseconds."""
+        self._process.kill()
+        self._process.join()
+        self._waiting.shutdown()
+        self._pipe.close()
 
-    def _schedule(self, function: Callable[..., Any], args: tuple[Any, ...], timeout: float) -> "Future[Any]":
+    def _ask(self, task: tuple[Any, ...]) -> Any:
+        message = pickle.dumps(task)
         try:
-            task: Future[Any] = self._pool.schedule(function, args=args, timeout=timeout)
-        except RuntimeError as error:  # it broke since it was looked at
-            raise BrokenProcessPool(str(error)) from None
-        return task
+            self._pipe.send_bytes(message)
+        except OSError:
+            raise WorkerDiedError from None
+        return self._receive()
 
-    async def _result(self, task: "Future[T]", timeout: float) -> T:
-        """The task's result; a pool that breaks just as it takes a task would leave it unanswered for ever."""
-        future = asyncio.wrap_future(task)
-        future.add_done_callback(_retrieve_exception)
-        for _ in range(int((timeout + GRACE) / POLL_INTERVAL)):
-            done, _ = await asyncio.wait({future}, timeout=POLL_INTERVAL)
-            if done:
-                return future.result()
-            if not self.active:
-                raise BrokenProcessPool("The worker's pool broke")
-        raise TimeoutError
+    def _receive(self) -> Any:
+        try:
+            answer = self._pipe.recv_bytes()
+        except (EOFError, OSError):
+            raise WorkerDiedError from None
+        return pickle.loads(answer)  # noqa: S301 - our own process's
 
 
-def _retrieve_exception(future: asyncio.Future[Any]) -> None:
-    """Nobody may wait any more when it is set: asyncio would log it as never retrieved."""
-    if not future.cancelled():
-        future.exception()
+def _serve(pipe: Connection, warm_up: str, nice: int) -> None:
+    """Do what comes through the pipe, in a new process, until nobody asks any more or the service ends, even killed."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    os.nice(nice)
+    keep_freed_memory()
+    threading.Thread(target=_follow_service, name="follow-service", daemon=True).start()
+    import_module(warm_up)  # does nothing in what was forked from a process that has
+    with contextlib.suppress(EOFError, OSError):
+        pipe.send_bytes(pickle.dumps(None))
+        while True:
+            pipe.send_bytes(_answer(pipe.recv_bytes()))
+
+
+def _follow_service() -> None:
+    service = parent_process()
+    if service is not None:
+        service.join()
+        os._exit(1)
+
+
+def _answer(task: bytes) -> bytes:
+    from backend import custom_controllers
+
+    value, error = None, None
+    try:
+        function, args, controllers = pickle.loads(task)  # noqa: S301 - the service's
+        custom_controllers.adopt(controllers)
+        value = function(*args)
+    except Exception as failure:  # noqa: BLE001 - the service raises it
+        error = ExceptionWithTraceback(failure, failure.__traceback__)
+    try:
+        return pickle.dumps(Answer(value, error, _resident_memory()))
+    except Exception as failure:  # noqa: BLE001 - of what cannot be sent
+        return pickle.dumps(Answer(None, RuntimeError(f"{failure!r}, sending {error or value!r}"), _resident_memory()))
+
+
+def _resident_memory() -> int:
+    try:
+        return int(_STATM.read_text().split()[1]) * resource.getpagesize()
+    except OSError:
+        return 0

@@ -8,14 +8,11 @@ import contextlib
 import logging
 import os
 from collections.abc import Callable, Coroutine
-from concurrent.futures.process import BrokenProcessPool
 from typing import Any, TypeVar
-
-from pebble import ProcessExpired
 
 from backend.compute import worker_process
 from backend.compute.fair_queue import SHORT, FairQueue, Task
-from backend.compute.worker_process import WorkerProcess
+from backend.compute.worker_process import Answer, WorkerDiedError, WorkerProcess
 from backend.errors import WorkerLostError, WorkersBusyError, WorkerTimeoutError
 from backend.metrics import WORKER_FAILURES
 
@@ -24,7 +21,6 @@ logger = logging.getLogger(__name__)
 T = TypeVar("T")
 WAIT_FOR_PROCESS = 60.0  # in which no task begins, before those that wait are refused [s]
 ATTEMPTS = 2
-INTERRUPTED = 2.0  # a task that is interrupted may still take; then its worker is ended [s]
 BATCH_NICE = 10  # of 19: a process of batches beside one that computes for a person gets a tenth of a core
 RESERVED = 1  # of the interactive processes for short runs, beside those that are set
 MAX_WORKER_MEMORY = 256 * 1024 * 1024  # resident, shared libraries included; beyond it a process is replaced [bytes]
@@ -64,7 +60,7 @@ class Workers:
         self._idle: list[WorkerProcess] = []
         self._processes: set[WorkerProcess] = set()
         self._ending: set[WorkerProcess] = set()  # which `close` waits for
-        self._chores: set[asyncio.Task[Any]] = set()
+        self._background: set[asyncio.Task[Any]] = set()
         self._warm = asyncio.Event()
         self._started = False
 
@@ -78,9 +74,9 @@ class Workers:
         self._started = True
         self.begin()
         for _ in range(self._count):
-            self._chore(self._add_process())
+            self._spawn_background(self._add_process())
         for _ in range(self._reserved):
-            self._chore(self._add_reserved())
+            self._spawn_background(self._add_reserved())
 
     async def wait_until_warm(self) -> None:
         """Wait until the first worker is warm."""
@@ -105,7 +101,7 @@ class Workers:
     async def call(self, function: Callable[..., T], *args: Any, client: str = "", cost: float = 0.0) -> T:
         """Run `function(*args)` in a worker; a task whose worker dies is tried once more. The first starts the workers.
 
-        A task whose caller is cancelled does not begin; one that runs is interrupted, unless it is short.
+        A task whose caller is cancelled does not begin; one that runs ends with its process, unless it is short.
 
         Args:
             function: What to run.
@@ -114,78 +110,60 @@ class Workers:
             cost: Estimated [s].
 
         Raises:
-            WorkerLostError: Two workers died over it (or every one was found dead).
+            WorkerLostError: Two workers died over it.
             WorkerTimeoutError: It took longer than the limit.
             WorkersBusyError: None came free within a minute, for whatever task.
         """
         if not self._started:
             self.start()
-        deaths = 0
-        for _ in range(self._count + self._reserved + ATTEMPTS):
-            task, process = await self._free_process(client, cost)
+        for attempt in range(1, ATTEMPTS + 1):
+            task, process = await self._turn(client, cost)
             # Shielded: whoever asked may go away, the process is given back all the same.
-            attempt = self._chore(self._attempt(task, process, function, args))
+            running = self._spawn_background(self._run(task, process, function, args))
             try:
-                return await asyncio.shield(attempt)
+                answer = await asyncio.shield(running)
             except asyncio.CancelledError:
-                self._call_off(task, process, attempt)
+                # A short one may end by itself: a new process has empty caches.
+                left = 0.0 if task.cost > SHORT else max(0.0, SHORT - self._queue.elapsed(task))
+                asyncio.get_running_loop().call_later(left, running.cancel)
                 raise
-            except BrokenProcessPool:
-                logger.warning("A worker was found dead before it took a task")
-            except ProcessExpired:
-                deaths += 1
+            except WorkerDiedError:
                 WORKER_FAILURES.labels("died").inc()
-                logger.warning("A worker died during a task (%d of %d attempts)", deaths, ATTEMPTS)
-                if deaths == ATTEMPTS:
-                    break
+                logger.warning("A worker died during a task (%d of %d attempts)", attempt, ATTEMPTS)
             except TimeoutError:
                 WORKER_FAILURES.labels("timeout").inc()
                 raise WorkerTimeoutError from None
+            else:
+                if answer.error is not None:
+                    raise answer.error
+                result: T = answer.value
+                return result
         raise WorkerLostError
-
-    async def _attempt(
-        self, task: Task, process: WorkerProcess, function: Callable[..., T], args: tuple[Any, ...]
-    ) -> T:
-        """Run it in that process, which then is idle again, or discarded where it is not well."""
-        healthy = well = False
-        try:
-            result, memory = await process.call(function, args, self._timeout)
-            healthy = well = True
-            if memory > self._max_memory:
-                logger.info("A worker has grown to %d MB and is replaced", memory >> 20)
-                well = False
-            return result
-        except (ProcessExpired, BrokenProcessPool, TimeoutError):
-            raise
-        except Exception:
-            healthy = well = True  # the function raised, its process is well
-            raise
-        finally:
-            self._give_back(task, process, killed=not healthy, reusable=well)
-
-    def _call_off(self, task: Task, process: WorkerProcess, attempt: "asyncio.Task[Any]") -> None:
-        """Interrupt a task that nobody waits for; a short one may end by itself, as an interrupt empties the caches."""
-        loop = asyncio.get_running_loop()
-
-        def interrupt() -> None:
-            if not attempt.done():
-                process.interrupt()
-                loop.call_later(INTERRUPTED, attempt.cancel)
-
-        loop.call_later(0.0 if task.cost > SHORT else max(0.0, SHORT - self._queue.elapsed(task)), interrupt)
 
     async def close(self) -> None:
         """End every process; takes at most a few seconds."""
         self._ending |= self._processes
         self._processes = set()
-        chores = tuple(self._chores)
-        for chore in chores:
-            chore.cancel()
-        await asyncio.gather(*chores, return_exceptions=True)
+        background = tuple(self._background)
+        for each in background:
+            each.cancel()
+        await asyncio.gather(*background, return_exceptions=True)
         await asyncio.gather(*(asyncio.to_thread(process.end) for process in self._ending))
 
-    async def _free_process(self, client: str, cost: float) -> tuple[Task, WorkerProcess]:
-        """A task that begins now, and the process that is to run it."""
+    async def _run(
+        self, task: Task, process: WorkerProcess, function: Callable[..., Any], args: tuple[Any, ...]
+    ) -> Answer:
+        """Run it in that process, which then is idle again; one that gave no answer, or has grown, is replaced."""
+        answer = None
+        try:
+            answer = await process.call(function, args, self._timeout)
+        finally:
+            reusable = answer is not None and answer.memory <= self._max_memory
+            self._give_back(task, process, killed=answer is None, reusable=reusable)
+        return answer
+
+    async def _turn(self, client: str, cost: float) -> tuple[Task, WorkerProcess]:
+        """Return a task that begins now, and the process that is to run it."""
         task = self._queue.add(client, cost)
         turn = self._turns[task] = asyncio.get_running_loop().create_future()
         self._dispatch()
@@ -209,7 +187,7 @@ class Workers:
         """Hand idle processes to the tasks that are next."""
         for process in [each for each in self._idle if not each.active]:  # died while idle: no task's doing
             self._idle.remove(process)
-            self._discard(process)
+            self._replace(process)
         while self._idle and (task := self._queue.begin_next(len(self._processes))) is not None:
             turn = self._turns[task]
             if turn.cancelled():  # whoever asked for it goes away just now
@@ -223,16 +201,16 @@ class Workers:
         if reusable:
             self._idle.append(process)
         else:
-            self._discard(process)
+            self._replace(process)
         self._dispatch()
 
-    def _discard(self, process: WorkerProcess) -> None:
+    def _replace(self, process: WorkerProcess) -> None:
         if process not in self._processes:  # the service is closing, and ends it
             return
         self._processes.discard(process)
         self._ending.add(process)
-        self._chore(self._end(process))
-        self._chore(self._add_process())
+        self._spawn_background(self._end(process))
+        self._spawn_background(self._add_process())
 
     async def _end(self, process: WorkerProcess) -> None:
         """End a process; where that is called off, `close` does it."""
@@ -266,15 +244,15 @@ class Workers:
                 self._dispatch()
                 return
 
-    def _chore(self, work: Coroutine[Any, Any, T]) -> asyncio.Task[T]:
+    def _spawn_background(self, work: Coroutine[Any, Any, T]) -> asyncio.Task[T]:
         """Run it beside; the set keeps it alive, and a failure nobody waits for is no news."""
         task = asyncio.ensure_future(work)
-        self._chores.add(task)
-        task.add_done_callback(self._chore_done)
+        self._background.add(task)
+        task.add_done_callback(self._forget)
         return task
 
-    def _chore_done(self, task: asyncio.Task[Any]) -> None:
-        self._chores.discard(task)
+    def _forget(self, task: asyncio.Task[Any]) -> None:
+        self._background.discard(task)
         if not task.cancelled():
             task.exception()
 

@@ -1,6 +1,6 @@
 """`simulate` as the service does it: only what is affordable, with room made for what is large."""
 
-from backend.compute.processes import trim_memory
+from backend.compute.memory import trim_memory
 from backend.cost.estimate import check_affordable, references
 from backend.custom_controllers import isolated
 from sim_core import Scenario, StrategyResult

@@ -87,14 +87,14 @@ def test_keys_on_several_roads_are_those_of_each_road(first_seed: int) -> None:
 
 TRIM = """
 from pathlib import Path
-from backend.compute import processes
+from backend.compute import memory
 def resident():
     return int(Path("/proc/self/statm").read_text().split()[1]) * 4096
-processes.return_freed_memory()
+memory.return_freed_memory()
 blocks = [bytes(1000) for _ in range(100_000)]
 blocks = blocks[::100]
 before = resident()
-processes.trim_memory()
+memory.trim_memory()
 print(before - resident())
 """
 

@@ -2,18 +2,19 @@
 
 import asyncio
 import os
+import signal
 import threading
 import time
 from collections.abc import Callable, Coroutine, Iterator
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import psutil
 import pytest
 
-from backend.compute import processes
 from backend.compute.workers import Workers
-from backend.errors import WorkerTimeoutError
+from backend.errors import WorkerLostError, WorkerTimeoutError
 from backend.outcome import Sampling
 from backend.runs import WARM_UP
 from backend.runs.compute_run import compute_run
@@ -107,54 +108,44 @@ def test_a_task_that_nobody_waits_for_ends_or_never_begins(do: Do, tmp_path: Pat
 
     async def use(workers: Workers) -> None:
         pid = await workers.call(os.getpid)
-        await gone(workers, "time.sleep(3600)", cost=30.0)
-        assert await workers.call(os.getpid) == pid, "the process is well"
-        outcomes = await workers.call(compute_run, Scenario(), {"passive": "a"}, Sampling(100))
-        assert outcomes["passive"].status == "ok"
         await gone(workers, f"time.sleep(0.1); pathlib.Path({str(ended)!r}).touch()", cost=0.1)
         assert await workers.call(os.getpid) == pid
         assert ended.exists(), "a short one ends by itself"
-        await gone(workers, "signal.pthread_sigmask(0, {signal.SIGUSR1}); time.sleep(3600)", cost=30.0)
-        assert await workers.call(os.getpid) != pid, "one that cannot be interrupted ends with its process"
+        await gone(workers, "time.sleep(3600)", cost=30.0)
+        assert await workers.call(os.getpid) != pid, "a long one ends with its process"
         await ended_process(pid)
+        assert await workers.call(eval, CACHED_CARS) > 0, "the next one is warm"
 
     do(use)
     assert not never.exists()
 
 
-def test_a_package_whose_import_nobody_waits_for_can_be_imported_afterwards(do: Do, tmp_path: Path) -> None:
-    package, begun, go = tmp_path / "slowly_imported", tmp_path / "begun", tmp_path / "go"
-    package.mkdir()
-    (package / "part.py").touch()
-    (package / "__init__.py").write_text(
-        f"import slowly_imported.part, pathlib, time\npathlib.Path({str(begun)!r}).touch()\n"
-        f"while not pathlib.Path({str(go)!r}).exists():\n    time.sleep(0.01)"
-    )
-    use_part = f"import sys; sys.path.insert(0, {str(tmp_path)!r}); import slowly_imported; slowly_imported.part"
-
+def test_a_process_that_dies_takes_its_own_task_with_it_and_no_other(do: Do, tmp_path: Path) -> None:
     async def use(workers: Workers) -> None:
         pid = await workers.call(os.getpid)
-        task = asyncio.create_task(workers.call(exec, f"{use_part}; import time; time.sleep(3600)", cost=30.0))
-        while not begun.exists():
-            await asyncio.sleep(0.01)
-        task.cancel()
-        with pytest.raises(asyncio.CancelledError):
-            await task
-        await asyncio.sleep(0.1)
-        go.touch()
-        await workers.call(exec, use_part)
-        assert await workers.call(os.getpid) == pid, "the process is well"
+        os.kill(pid, signal.SIGKILL)
+        await ended_process(pid)
+        assert await workers.call(os.getpid) != pid, "one that has died while idle"
+        once = (
+            f"import os, pathlib; p = pathlib.Path({str(tmp_path / 'once')!r}); p.exists() or (p.touch(), os._exit(1))"
+        )
+        await workers.call(exec, once)  # tried again
+        with pytest.raises(WorkerLostError):
+            await workers.call(os._exit, 1)
+        assert await workers.call(abs, -1) == 1
 
     do(use)
 
 
-def test_an_interrupt_that_waits_for_an_import_ends_no_later_task(do: Do, tmp_path: Path) -> None:
-    (tmp_path / "interrupted_module.py").write_text(f"import os\nos.kill(os.getpid(), {int(processes.INTERRUPT)})")
-    imported = f"import sys; sys.path.insert(0, {str(tmp_path)!r}); import interrupted_module"
-
+def test_what_cannot_be_sent_is_an_error_of_its_task_alone(do: Do) -> None:
     async def use(workers: Workers) -> None:
-        await workers.call(exec, imported)
-        await workers.call(time.sleep, 3 * processes.RETRY_INTERVAL)
+        pid = await workers.call(os.getpid)
+        with pytest.raises(RuntimeError, match="cannot pickle"):
+            await workers.call(threading.Lock)
+        with pytest.raises(ModuleNotFoundError) as raised:
+            await workers.call(import_module, "no_such_module")
+        assert "import_module" in str(raised.value.__cause__), "the log has where it was raised"
+        assert await workers.call(os.getpid) == pid
 
     do(use)
 

@@ -56,7 +56,7 @@ def test_importing_the_core_leaves_the_allocator_alone_and_a_worker_has_it_keep_
         pytest.skip("This C library does not say how it allocates")
     assert fetched == "3"
     assert printed(f"import sim_core.simulate\n{_FETCHED}") == "3"
-    start = "from backend.compute.processes import start; start(0)"
+    start = "from backend.compute.memory import keep_freed_memory; keep_freed_memory()"
     assert printed(f"{start}\n{_FETCHED}") == "0"
 
 

@@ -6,14 +6,13 @@ from contextlib import contextmanager
 from typing import Any
 from unittest.mock import patch
 
-from pebble import ProcessExpired
-
 from backend.compute import worker_process, workers
 from backend.compute.fair_queue import FairQueue
+from backend.compute.worker_process import Answer, WorkerDiedError
 from backend.compute.workers import Workers
 from tests.faults.histories.loop import SimulatedLoop
 
-Answer = Callable[[Callable[..., Any], tuple[Any, ...]], Any]
+Gives = Callable[[Callable[..., Any], tuple[Any, ...]], Any]
 Duration = Callable[[tuple[Any, ...]], float]  # of a task, by its arguments [s]
 
 
@@ -35,7 +34,7 @@ class Machine:
         self.slowest_start = 1.0
         self.running: dict[Any, tuple[Any, ...]] = {}
         self.begun: Callable[[tuple[Any, ...]], None] = lambda _: None
-        self.answer: Answer = lambda function, args: function(*args)
+        self.answer: Gives = lambda function, args: function(*args)
 
     @contextmanager
     def workers(self, count: int, **settings: Any) -> Iterator[Workers]:
@@ -57,34 +56,29 @@ class _Process:
 
     def __init__(self, *_: Any) -> None:
         self.active = True
-        self._interrupted = asyncio.Event()
 
     async def wait_until_warm(self) -> None:
         await asyncio.sleep(float(self.on.loop.rng.uniform(0.1, self.on.slowest_start)))
 
-    async def call(self, function: Callable[..., Any], args: tuple[Any, ...], timeout: float) -> tuple[Any, int]:
+    async def call(self, function: Callable[..., Any], args: tuple[Any, ...], timeout: float) -> Answer:
         if self in self.on.running:
             self.on.loop.broken("one process has two tasks")
         self.on.running[self] = args
         self.on.begun(args)
-        self._interrupted.clear()
         seconds, dies = self.on.duration(args), self.on.loop.rng.random() < self.on.dying
         try:
-            async with asyncio.timeout(min(timeout, seconds / 2 if dies else seconds)):
-                await self._interrupted.wait()
-            raise InterruptedError
-        except TimeoutError:
+            await asyncio.sleep(min(timeout, seconds / 2 if dies else seconds))
             self.active = not dies and seconds <= timeout
             if dies:
-                raise ProcessExpired("died") from None  # type: ignore[no-untyped-call]  # pebble leaves it untyped
+                raise WorkerDiedError
             if seconds > timeout:
-                raise
+                raise TimeoutError
+        except asyncio.CancelledError:
+            self.active = False
+            raise
         finally:
             del self.on.running[self]
-        return self.on.answer(function, args), 0
-
-    def interrupt(self) -> None:
-        self._interrupted.set()
+        return Answer(self.on.answer(function, args), None, 0)
 
     def end(self) -> None:
         self.active = False
