@@ -21,6 +21,7 @@ from backend.batches.models import (
 from backend.batches.points import Sweep
 from backend.batches.service import BatchService
 from backend.batches.summary_models import RobustnessDefaults
+from backend.batches.table import Page
 from backend.errors import InvalidError
 from backend.file_formats import MEDIA_TYPES, FileFormat
 from backend.http import problems
@@ -103,12 +104,18 @@ async def get_batch_sweep(job_id: jobs.JobId, service: Service) -> Response:
 )
 async def get_batch_results(
     job_id: jobs.JobId,
+    request: Request,
     service: Service,
     client: Client,
-    file_format: Annotated[FileFormat, Query(alias="format", description="Of it")] = "json",
+    file_format: Annotated[
+        FileFormat | None, Query(alias="format", description="Without it CSV where Accept has `text/csv`, else JSON")
+    ] = None,
+    limit: Annotated[int | None, Query(ge=1, le=1_000_000, description="At most so many rows")] = None,
+    cursor: Annotated[int, Query(ge=0, le=1_000_000, description="`next` of the page before")] = 0,
 ) -> Response:
     """One row a run, in order, streamed; a batch that still runs has rows that wait."""
-    batch, stream, counted = await service.results(job_id, file_format, client)
+    file_format = file_format or ("csv" if "text/csv" in request.headers.get("accept", "") else "json")
+    batch, stream, counted = await service.results(job_id, file_format, client, Page(first=cursor, limit=limit))
     headers = {"Cache-Control": "no-store"}
     if file_format != "json":
         headers["Content-Disposition"] = f'attachment; filename="ridelab-batch-{batch.id}.{file_format}"'

@@ -170,7 +170,7 @@ class BatchRow(Answer):
 
 
 class BatchResults(Answer):
-    """Every run of a batch, in order."""
+    """The runs of a batch, in order."""
 
     batch: str
     core_version: str
@@ -178,6 +178,7 @@ class BatchResults(Answer):
     sweep: JsonObject
     units: dict[str, str]
     rows: list[BatchRow]
+    next: int | None = Field(description="Cursor of the next page; null on the last one")
 
 
 class BatchSummary(Answer):

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Annotated, Any, Self
 
 import numpy as np
-from pydantic import Field, WithJsonSchema, model_validator
+from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
 from pydantic_core import PydanticCustomError
 
 from backend.json_types import NUMBERS_SCHEMA, JsonObject
@@ -41,6 +41,23 @@ MOST_ERRORS = 50
 FEW_VALUES = 1000  # are checked in some 10 ms
 
 
+def _dotted(fields: Any) -> Any:
+    """Name nested fields by their dotted names: `{"road": {"seed": 1}}` is `{"road.seed": 1}`."""
+    if not isinstance(fields, dict):
+        return fields
+    flat: dict[str, Any] = {}
+    for name, value in fields.items():
+        if isinstance(value, dict) and name not in dotted.fields():
+            inner = {f"{name}.{key}": each for key, each in value.items()}
+            flat |= _dotted(inner)
+        else:
+            flat[name] = value
+    return flat
+
+
+Dotted = BeforeValidator(_dotted)
+
+
 def _by_field(description: str, default: Any = ...) -> Any:
     return Field(
         default,
@@ -54,7 +71,7 @@ def _by_field(description: str, default: Any = ...) -> Any:
 class LatinHypercube(RequestModel):
     """Evenly spread random points (scipy.stats.qmc.LatinHypercube); whole-number fields get whole numbers."""
 
-    ranges: dict[str, list[float]] = _by_field("Field -> [lowest, highest]")
+    ranges: Annotated[dict[str, list[float]], Dotted] = _by_field("Field -> [lowest, highest]")
     samples: int = Field(ge=1, le=1_000_000)
     seed: int = Field(0, ge=0, le=2**32 - 1, description="Same seed, same points")
 
@@ -62,14 +79,14 @@ class LatinHypercube(RequestModel):
 class Sweep(RequestModel):
     """Exactly one of its three forms; `linked` with any of them."""
 
-    grid: dict[str, Annotated[list[Value], Field(min_length=1)]] | None = _by_field(
+    grid: Annotated[dict[str, Annotated[list[Value], Field(min_length=1)]] | None, Dotted] = _by_field(
         "Field -> values; every combination, the last field changing fastest", None
     )
     latin_hypercube: LatinHypercube | None = None
-    points: Annotated[list[dict[str, Value]], Field(min_length=1)] | None = Field(
+    points: Annotated[list[Annotated[dict[str, Value], Dotted]], Field(min_length=1)] | None = Field(
         None, alias="list", description="Field -> value, point by point; a field a point does not name keeps its value"
     )
-    linked: dict[str, Annotated[list[str], Field(min_length=1, max_length=32)]] | None = _by_field(
+    linked: Annotated[dict[str, Annotated[list[str], Field(min_length=1, max_length=32)]] | None, Dotted] = _by_field(
         "Swept field -> further fields that take its value at each point, such as one speed for both", None
     )
 

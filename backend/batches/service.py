@@ -15,6 +15,7 @@ from backend.batches.models import Batch, Batches, BatchItem, BatchRequirements,
 from backend.batches.plan import SweepBase
 from backend.batches.points import Sweep, SweepError, check_at_once, fields_of, size
 from backend.batches.summaries import Summaries
+from backend.batches.table import Page
 from backend.compute.workers import Workers
 from backend.errors import ConflictError, InvalidError
 from backend.file_formats import FormatName
@@ -265,9 +266,9 @@ class BatchService:
         return judged.answer(job)
 
     async def results(
-        self, job_id: str, file_format: FormatName, client: str
+        self, job_id: str, file_format: FormatName, client: str, page: Page
     ) -> tuple[StoredJob, AsyncIterator[bytes], ExitStack]:
-        """The batch, its rows in that format piece by piece, and what counts them as open until it is closed.
+        """The batch, those of its rows in that format piece by piece, and what counts them as open until it is closed.
 
         Raises:
             NotFoundError: There is no such batch.
@@ -275,14 +276,19 @@ class BatchService:
         """
         job, counted = await self.jobs.get(job_id), ExitStack()
         counted.enter_context(self.gate.streams.hold(client, 1))
-        return job, table.RENDERERS[file_format](job, self.rows(job.id), self._page_call(client)), counted
+        rows = self.rows(job.id, page.first, page.limit)
+        return job, table.RENDERERS[file_format](job, page, rows, self._page_call(client)), counted
 
-    async def rows(self, job_id: str) -> AsyncIterator[list[JobRow]]:
-        """Its rows in order, page by page."""
-        last = -1
-        while rows := await self.store.read(self.store.job_runs.rows, job_id, last, ROWS_AT_ONCE):
+    async def rows(self, job_id: str, first: int = 0, limit: int | None = None) -> AsyncIterator[list[JobRow]]:
+        """Its rows in order from that one on, so many at most, some at a time."""
+        last = None if limit is None else first + limit
+        while last is None or first < last:
+            count = ROWS_AT_ONCE if last is None else min(ROWS_AT_ONCE, last - first)
+            rows = await self.store.read(self.store.job_runs.rows, job_id, first - 1, count)
+            if not rows:
+                return
             yield rows
-            last = rows[-1].position
+            first = rows[-1].position + 1
 
     async def _is_resumable(self, job: StoredJob) -> bool:
         """Check whether something of a batch that has ended is left to run, or may run now."""

@@ -2,6 +2,7 @@
 
 import itertools
 from collections.abc import AsyncIterator, Awaitable, Callable, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import IO, Any
@@ -30,8 +31,21 @@ def units(batch: StoredJob) -> dict[str, str]:
     return named | {key: metric.unit for key, metric in METRICS.items()}
 
 
-async def as_json(batch: StoredJob, pages: Pages, call: Call) -> AsyncIterator[bytes]:
-    """`{"batch", …, "rows": [{"run", fields, "strategy", "status", "metrics", …}, …]}`."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Page:
+    """Some of a batch's rows: so many from that run on, or all."""
+
+    first: int = 0
+    limit: int | None = None
+
+    def next(self, total: int) -> int | None:
+        """Return the first run of the next page of a batch of so many runs; None of the last one."""
+        after = total if self.limit is None else self.first + self.limit
+        return after if after < total else None
+
+
+async def as_json(batch: StoredJob, page: Page, pages: Pages, call: Call) -> AsyncIterator[bytes]:
+    """`{"batch", …, "rows": [{"run", fields, "strategy", "status", "metrics", …}, …], "next"}`."""
     head = {
         "batch": batch.id,
         "core_version": batch.core_version,
@@ -45,10 +59,10 @@ async def as_json(batch: StoredJob, pages: Pages, call: Call) -> AsyncIterator[b
         text = await call(rendering.as_json, rows)
         yield text if first else b"," + text
         first = False
-    yield b"]}"
+    yield b'],"next":' + orjson.dumps(page.next(batch.total)) + b"}"
 
 
-async def as_csv(batch: StoredJob, pages: Pages, call: Call) -> AsyncIterator[bytes]:
+async def as_csv(batch: StoredJob, _: Page, pages: Pages, call: Call) -> AsyncIterator[bytes]:
     """A header with units, then a line for each run, as spreadsheets read it."""
     fields = batch.request["fields"]
     yield ",".join(column_names(batch).values()).encode() + b"\n"
@@ -63,7 +77,7 @@ def column_names(batch: StoredJob) -> dict[str, str]:
     return {key: f"{key} [{unit_of[key]}]" if key in unit_of else key for key in keys}
 
 
-RENDERERS: Mapping[FormatName, Callable[[StoredJob, Pages, Call], AsyncIterator[bytes]]] = {
+RENDERERS: Mapping[FormatName, Callable[[StoredJob, Page, Pages, Call], AsyncIterator[bytes]]] = {
     "json": as_json,
     "csv": as_csv,
 }

@@ -100,6 +100,43 @@ def test_files_hold_the_same_rows_with_units(client: httpx.Client, batch: dict[s
     assert plain["scenario"] == batch["scenario"]
 
 
+def test_rows_come_page_by_page_and_as_csv_by_accept(client: httpx.Client, batch: dict[str, Any]) -> None:
+    path = f"/api/v1/batches/{batch['id']}/results"
+    lengths, found = list[int](), list[Any]()
+    cursor: int | None = 0
+    while cursor is not None:
+        page = client.get(path, params={"limit": 5, "cursor": cursor}).json()
+        lengths.append(len(page["rows"]))
+        found += page["rows"]
+        cursor = page["next"]
+    assert lengths == [5, 5, 2]
+    assert found == client.get(path).json()["rows"]
+    asked = client.get(path, headers={"Accept": "text/csv"}, params={"limit": 2, "cursor": 10})
+    whole = _csv(client, batch["id"]).splitlines()
+    assert asked.text.splitlines() == [whole[0], *whole[11:]]
+
+
+def test_fields_of_a_sweep_are_dotted_or_nested(client: httpx.Client) -> None:
+    def sweep_of(sweep: dict[str, Any]) -> Any:
+        return sweep_points.Sweep.model_validate(sweep)
+
+    height, cube = {"road": {"bump": {"height": [0.05, 0.1]}}}, {"samples": 3, "seed": 0}
+    flat = {"road.bump.height": [0.05, 0.1]}
+    link = {"linked": {"road": {"bump.height": ["road.bump.width"]}}}
+    assert sweep_of({"grid": height, **link}).model_dump(exclude_none=True) == {
+        "grid": flat,
+        "linked": {"road.bump.height": ["road.bump.width"]},
+    }
+    assert sweep_of({"latin_hypercube": {"ranges": height, **cube}}) == sweep_of(
+        {"latin_hypercube": {"ranges": flat, **cube}}
+    )
+    curve = [[-0.1, -300], [0.1, 500]]
+    point = {"vehicle": {"front_damper_curve": curve}, "road.seed": 2}
+    assert sweep_of({"list": [point]}).points == [{"vehicle.front_damper_curve": curve, "road.seed": 2}]
+    refused = submit(client, {"list": [{"road": {"sed": 1}}]})
+    assert refused.json()["errors"][0]["pointer"] == "/sweep/list/0/road.sed"
+
+
 def test_columns_are_the_same_numbers(client: httpx.Client, batch: dict[str, Any]) -> None:
     path = f"/api/v1/batches/{batch['id']}/table"
     answer = client.get(path, params={"figures": "bump.body_acceleration.peak,travel_time"}).json()
@@ -260,9 +297,9 @@ def test_what_planning_finds_ends_the_batch_with_the_problem_of_a_dry_run(
     assert (batch["total"], batch["fields"], batch["resumable"]) == (None, None, True)
     assert rows(client, batch["id"]) == []
     assert events(client, batch["id"])[-1]["total"] is None
-    path = f"/api/v1/batches/{batch['id']}"
-    assert client.post(f"{path}/resume").json()["problem"] is None
-    assert wait_for(client, batch["id"])["reason"] == batch["reason"], "it was planned again"
+    client.post(f"/api/v1/batches/{batch['id']}/resume").raise_for_status()
+    assert wait_for(client, batch["id"])["problem"] == batch["problem"], "it was planned again"
+    assert [event["state"] for event in events(client, batch["id"])] == ["planning", "failed"] * 2
 
 
 def test_the_largest_batch_is_accepted_before_it_is_planned_and_cancelled_meanwhile(

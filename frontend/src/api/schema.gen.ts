@@ -323,6 +323,7 @@ export interface components {
         readonly BatchResults: {
             readonly batch: string;
             readonly core_version: string;
+            readonly next: number | null;
             readonly rows: readonly components["schemas"]["BatchRow"][];
             readonly scenario: JsonObject;
             readonly sweep: JsonObject;
@@ -2106,7 +2107,9 @@ export interface operations {
     readonly getBatchResults: {
         readonly parameters: {
             readonly query?: {
-                readonly format?: "json" | "csv";
+                readonly cursor?: number;
+                readonly format?: ("json" | "csv") | null;
+                readonly limit?: number | null;
             };
             readonly path: {
                 readonly id: string;
