@@ -75,6 +75,15 @@ class RoadGoneError(GoneError):
         )
 
 
+class RevokedError(GoneError):
+    """A link that was taken back."""
+
+    kind = "revoked"
+
+    def __init__(self) -> None:
+        super().__init__("This link was taken back by whoever made it: it opens nothing any more.")
+
+
 class DamagedError(GoneError):
     """What is stored of something is not what was written, and nothing can make it again.
 

@@ -106,6 +106,11 @@ class Settings(BaseModel):
     tokens_file: TokensFile | None = Field(
         None, description="File with a name and a token a line: then the API answers those with a token only."
     )
+    one_user: bool = Field(
+        False,
+        description="One person uses this service: without tokens, whoever reaches it lists links, roads and "
+        "recordings and takes them back.",
+    )
     log_level: Literal["debug", "info", "warning", "error"] = Field("info", description="Least level that is logged.")
     retention_days: float | None = Field(
         None, gt=0, description="Jobs and results older than this are removed [days]; none are where it is not set."

@@ -10,11 +10,12 @@ from pydantic import BaseModel
 
 from backend.api import API, router
 from backend.api.deps import Client
+from backend.api.lists import DEFAULT_LIMIT, Cursor, Limit
 from backend.http import problems
 from backend.http.answers import json_answer
 from backend.http.tokens import Caller
 from backend.jobs.models import LabelRequest
-from backend.jobs.service import CURSOR, Jobs
+from backend.jobs.service import Jobs
 from backend.plain_text import PlainText
 from backend.store import StoredJob
 from backend.store.job import State
@@ -83,8 +84,8 @@ class JobApi:
         @lists.get(f"/{self.plural}", operation_id=f"list{self.plural.title()}", response_model=self.page_model)
         async def page(
             service: Service,
-            limit: Annotated[int, Query(ge=1, le=500, description="At most so many")] = 50,
-            cursor: Annotated[str | None, Query(pattern=CURSOR, description="`next` of the page before")] = None,
+            limit: Limit = DEFAULT_LIMIT,
+            cursor: Cursor = None,
             state: Annotated[State | None, Query(description="Only those in that state")] = None,
             label: Annotated[PlainText | None, Query(max_length=200, description="Only those with that label")] = None,
         ) -> Response:

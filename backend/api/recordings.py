@@ -1,4 +1,4 @@
-"""Recorded drives: upload as CSV, read, and export."""
+"""Recorded drives: upload as CSV, read, export, list, take back."""
 
 import json
 from typing import Annotated, Literal
@@ -7,19 +7,25 @@ from fastapi import Path, Query, Request, Response
 
 from backend.api import API, router
 from backend.api.deps import Client, service
+from backend.api.lists import DEFAULT_LIMIT, Cursor, Limit
 from backend.errors import InvalidError
+from backend.http import problems
 from backend.http.answers import revalidated
 from backend.http.openapi import BYTES
+from backend.http.ownership import Owner
 from backend.http.routing import ComputingRoute, FileRoute
-from backend.recordings.models import CreatedRecording, RecordingAnswer
+from backend.http.tokens import Caller
+from backend.recordings.models import CreatedRecording, RecordingAnswer, RecordingPage
 from backend.recordings.service import Recordings
 
 reading = router("recordings", 408, 413, 415, 422, 429, 503, route_class=FileRoute)
 recordings = router("recordings", 404, 429, 503, route_class=ComputingRoute)
+listing = router("recordings", 403, 422, 503)
 EXAMPLE = "time [s],body_acceleration [m/s^2]\n" + "".join(f"{n / 100},{n % 3 - 1}\n" for n in range(12))
 BODY = {"requestBody": {"required": True, "content": {"text/csv": {"schema": BYTES, "example": EXAMPLE}}}}
 LONGEST_MAPPING = 8000
 
+RecordingId = Annotated[str, Path(alias="id", max_length=64, description="Of the recording")]
 RecordingsService = Annotated[Recordings, service(lambda services: services.recordings)]
 ColumnMapping = Annotated[
     str | None,
@@ -35,12 +41,37 @@ ColumnMapping = Annotated[
     "/recordings", operation_id="createRecording", status_code=201, response_model=CreatedRecording, openapi_extra=BODY
 )
 async def create_recording(
-    request: Request, response: Response, service: RecordingsService, client: Client, columns: ColumnMapping = None
+    request: Request,
+    response: Response,
+    service: RecordingsService,
+    client: Client,
+    owner: Caller,
+    columns: ColumnMapping = None,
 ) -> CreatedRecording:
     """Store a recorded drive: time or distance and signals of the catalogue, each column's unit in its name."""
-    created = await service.create(await request.body(), _mapping(columns), client)
+    created = await service.create(await request.body(), _mapping(columns), client, owner)
     response.headers["Location"] = f"{API}/recordings/{created.id}"
     return created
+
+
+@listing.get("/recordings", operation_id="listRecordings", response_model=RecordingPage)
+async def list_recordings(
+    service: RecordingsService, owner: Owner, limit: Limit = DEFAULT_LIMIT, cursor: Cursor = None
+) -> RecordingPage:
+    """The newest first, page by page: with tokens one's own, without them for the service's one person."""
+    return await service.page(owner, limit, cursor)
+
+
+@listing.delete(
+    "/recordings/{id}",
+    operation_id="deleteRecording",
+    status_code=204,
+    responses={404: problems.ANSWER, 409: problems.ANSWER},
+)
+async def delete_recording(service: RecordingsService, owner: Owner, recording: RecordingId) -> Response:
+    """Take a recording back that no run or link names; one that another token sent too stays for that one."""
+    await service.delete(recording, owner)
+    return Response(status_code=204)
 
 
 @recordings.get(
@@ -53,7 +84,7 @@ async def get_recording(
     request: Request,
     service: RecordingsService,
     client: Client,
-    recording: Annotated[str, Path(alias="id", max_length=64, description="Of the recording")],
+    recording: RecordingId,
     file_format: Annotated[
         Literal["json", "csv"], Query(alias="format", description="CSV has every sample and can be sent again")
     ] = "json",

@@ -1,4 +1,4 @@
-"""Measured roads: upload as CSV or OpenCRG, read, and export."""
+"""Measured roads: upload as CSV or OpenCRG, read, export, list, take back."""
 
 from collections.abc import Mapping
 from typing import Annotated, ClassVar, Literal
@@ -7,13 +7,17 @@ from fastapi import Path, Query, Request, Response
 
 from backend.api import API, router
 from backend.api.deps import Client, service
+from backend.api.lists import DEFAULT_LIMIT, Cursor, Limit
 from backend.errors import InvalidError
+from backend.http import problems
 from backend.http.answers import revalidated
 from backend.http.openapi import BYTES
+from backend.http.ownership import Owner
 from backend.http.routing import ComputingRoute, FileRoute
+from backend.http.tokens import Caller
 from backend.models import MAX_POINTS
 from backend.roads import export, opencrg, survey
-from backend.roads.models import CreatedRoad, RoadAnswer
+from backend.roads.models import CreatedRoad, RoadAnswer, RoadPage
 from backend.roads.service import MeasuredRoads
 
 OPENCRG = "application/x-opencrg"
@@ -29,9 +33,11 @@ class RoadFileRoute(FileRoute):
 
 surveying = router("roads", 408, 413, 415, 429, 503, route_class=RoadFileRoute)
 roads = router("roads", 404, 429, 503, route_class=ComputingRoute)
+listing = router("roads", 403, 422, 503)
 EXAMPLE = "distance [m],height [mm]\n0,0\n5,12\n10,3\n"
 
 
+RoadId = Annotated[str, Path(alias="id", max_length=64, description="Of the road")]
 RoadsService = Annotated[MeasuredRoads, service(lambda services: services.roads)]
 
 
@@ -53,6 +59,7 @@ async def create_road(
     response: Response,
     service: RoadsService,
     client: Client,
+    owner: Caller,
     left: Annotated[float | None, Query(ge=-FAR, le=FAR, description="Of OpenCRG: v of the left wheel [m]")] = None,
     right: Annotated[float | None, Query(ge=-FAR, le=FAR, description="Of OpenCRG: v of the right wheel [m]")] = None,
 ) -> CreatedRoad:
@@ -63,13 +70,30 @@ async def create_road(
     """
     content = await request.body()
     if request.headers["content-type"].lower().startswith(OPENCRG):
-        created = await service.create(client, opencrg.read, content, left, right)
+        created = await service.create(client, owner, opencrg.read, content, left, right)
     elif left is None and right is None:
-        created = await service.create(client, survey.read, content)
+        created = await service.create(client, owner, survey.read, content)
     else:
         raise InvalidError("Only an OpenCRG file has wheels to place", parameter="right" if left is None else "left")
     response.headers["Location"] = f"{API}/roads/{created.id}"
     return created
+
+
+@listing.get("/roads", operation_id="listRoads", response_model=RoadPage)
+async def list_roads(
+    service: RoadsService, owner: Owner, limit: Limit = DEFAULT_LIMIT, cursor: Cursor = None
+) -> RoadPage:
+    """The newest first, page by page: with tokens one's own, without them for the service's one person."""
+    return await service.page(owner, limit, cursor)
+
+
+@listing.delete(
+    "/roads/{id}", operation_id="deleteRoad", status_code=204, responses={404: problems.ANSWER, 409: problems.ANSWER}
+)
+async def delete_road(service: RoadsService, owner: Owner, road_id: RoadId) -> Response:
+    """Take a road back that no run, job or link names; one that another token sent too stays for that one."""
+    await service.delete(road_id, owner)
+    return Response(status_code=204)
 
 
 @roads.get(
@@ -82,7 +106,7 @@ async def get_road(
     request: Request,
     service: RoadsService,
     client: Client,
-    road_id: Annotated[str, Path(alias="id", max_length=64, description="Of the road")],
+    road_id: RoadId,
     points: Annotated[int, Query(ge=2, le=MAX_POINTS, description="Of JSON: at most how many heights")] = 2000,
     file_format: Annotated[
         Literal["json", "csv", "crg"],

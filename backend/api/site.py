@@ -20,6 +20,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import Scope
 
 from backend.api.deps import LinksService
+from backend.errors import NotFoundError, RevokedError
 from backend.http.answers import IMMUTABLE
 from backend.http.guard import policy
 from backend.http.parts import parts_of
@@ -143,10 +144,14 @@ def add_site(app: FastAPI, dist: Path, manual: Path) -> None:
         _check_built(index)
         if parts_of(request).tokens is not None and caller is None:
             return await page()  # which asks for a token; nothing of what is shared is in it
-        of_link = await service.preview(slug)
-        text = preview.page(index.read_text(encoding="utf-8"), of_link or Preview(), shared=of_link is not None)
-        headers = {"Cache-Control": "no-cache", "X-Robots-Tag": "noindex"}
-        return HTMLResponse(text, 200 if of_link is not None else 404, headers)
+        try:
+            of_link, status = await service.preview(slug), HTTPStatus.OK
+        except NotFoundError:
+            of_link, status = Preview(), HTTPStatus.NOT_FOUND
+        except RevokedError:
+            of_link, status = Preview(title="This link was taken back"), HTTPStatus.GONE
+        text = preview.page(index.read_text(encoding="utf-8"), of_link, shared=status == HTTPStatus.OK)
+        return HTMLResponse(text, status, {"Cache-Control": "no-cache", "X-Robots-Tag": "noindex"})
 
     @site.get("/docs")
     async def docs() -> Response:

@@ -29,6 +29,8 @@ STEPS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
             "checksum = 'unchecked' WHERE status = 'failed' AND summary NOT LIKE '%\"kind\"\\:%'",
             "ALTER TABLE links ADD COLUMN owner VARCHAR(64)",
             "ALTER TABLE links ADD COLUMN revoked_at {time}",
+            "ALTER TABLE links ADD COLUMN pin_of VARCHAR(22)",
+            "CREATE INDEX ix_links_pin_of ON links (pin_of)",
             "CREATE INDEX ix_links_created_at ON links (created_at)",
             "CREATE INDEX ix_links_owner_created_at ON links (owner, created_at)",
             *_owners("road"),

@@ -225,9 +225,11 @@ links = Table(
     Column("damaged_at", Utc, nullable=True),  # something that it shows was found damaged then
     Column("owner", String(64), nullable=True),
     Column("revoked_at", Utc, nullable=True),
+    Column("pin_of", String(22), nullable=True),  # the link whose view has this one's run pinned beside its own
     checksum_column("slug", "kind", "run_id", "job_id", "view"),
     Index("ix_links_created_at", "created_at"),
     Index("ix_links_owner_created_at", "owner", "created_at"),
+    Index("ix_links_pin_of", "pin_of"),
 )
 
 pinned_series = Table(

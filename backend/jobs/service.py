@@ -3,7 +3,6 @@
 import hashlib
 from collections.abc import AsyncIterator
 from dataclasses import dataclass
-from datetime import UTC, datetime, timedelta
 from typing import Any
 
 from backend import digest
@@ -14,10 +13,9 @@ from backend.jobs.kind import JobKind
 from backend.settings import MAX_BATCH_RUNS, MAX_UNFINISHED_JOBS, Settings
 from backend.store import Store, StoredJob
 from backend.store.job import UNFINISHED, WAITING, State
+from backend.store.pages import cursor_of, place_of
 
 RETRY_AFTER = 30
-CURSOR = r"^\d{16}_[A-Za-z0-9_-]{1,22}$"  # when the last job of a page was created, and its id
-EPOCH, MICROSECOND = datetime(1970, 1, 1, tzinfo=UTC), timedelta(microseconds=1)
 
 
 @dataclass(eq=False, kw_only=True)
@@ -105,12 +103,12 @@ class Jobs:
         self, *, limit: int, cursor: str | None, state: State | None, label: str | None
     ) -> tuple[list[StoredJob], str | None]:
         """The newest jobs without their sweeps, and the cursor of the next page (None: this is the last one)."""
-        before = None if cursor is None else _position_of(cursor)
+        before = None if cursor is None else place_of(cursor)
         page = await self.store.read(
             self.store.jobs.page, self.kind.name, limit + 1, before=before, state=state, label=label
         )
         more, shown = len(page) > limit, page[:limit]
-        return shown, _cursor(shown[-1]) if more else None
+        return shown, cursor_of(shown[-1].created_at, shown[-1].id) if more else None
 
     async def positions(self, *jobs: StoredJob) -> dict[str, int]:
         """By id the number of runs of earlier jobs that wait; 0 for a job that runs or has ended."""
@@ -207,12 +205,3 @@ def _same(job: StoredJob, hashed: str) -> StoredJob:
     if job.request_hash != hashed:
         raise ConflictError("This Idempotency-Key came with another request before.", kind="idempotency-key-reused")
     return job
-
-
-def _cursor(job: StoredJob) -> str:
-    return f"{(job.created_at - EPOCH) // MICROSECOND:016}_{job.id}"
-
-
-def _position_of(cursor: str) -> tuple[datetime, str]:
-    time, _, job_id = cursor.partition("_")
-    return EPOCH + int(time) * MICROSECOND, job_id

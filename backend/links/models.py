@@ -155,11 +155,30 @@ class CreatedLink(Answer):
     """A new link."""
 
     slug: str = Field(description="22 characters, 128 random bits")
-    url: str = Field(description="Path of the page that opens it")
+    url: str = Field(description="Address of the page that opens it, at the name by which the service was asked")
     series_pinned: bool = Field(
         description="Whether the link stores time histories too. Never of a batch; of a run of another core version "
         "only where an earlier link pinned them. Metrics always are."
     )
+
+
+class LinkHead(Answer):
+    """A link in a list."""
+
+    slug: str
+    url: str
+    kind: Literal["run", "batch"]
+    run_id: str | None = Field(description="The run that it opens; null of a batch, and where it was taken back")
+    batch_id: str | None
+    created_at: datetime
+    revoked_at: datetime | None = Field(description="When it was taken back; null of one that opens")
+
+
+class LinkPage(Answer):
+    """The newest links."""
+
+    links: list[LinkHead]
+    next: str | None = Field(description="Cursor of the next page; null: this is the last one")
 
 
 class Link(Answer):

@@ -2,9 +2,9 @@
 
 import asyncio
 import re
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Any
 
 from backend import digest
 from backend.batches.kind import SWEEP
@@ -15,7 +15,7 @@ from backend.errors import InvalidError, NotFoundError
 from backend.gate import Gate
 from backend.json_types import JsonObject
 from backend.links import preview
-from backend.links.models import SLUG_PATTERN, CreatedLink, LinkView
+from backend.links.models import SLUG_PATTERN, LinkRequest, LinkView
 from backend.links.preview import Preview
 from backend.recordings.service import Recordings
 from backend.requirements import Requirement
@@ -54,28 +54,46 @@ class Links:
     roads: MeasuredRoads
     recordings: Recordings
 
-    async def share_run(
-        self, run_id: str, view: LinkView, client: str, requirements: Sequence[Requirement] = ()
-    ) -> CreatedLink:
-        """A new link to a run; its time histories are pinned with it.
-
-        Each run that the view compares it with gets a link of its own, which keeps it in the same way.
+    async def create(self, request: LinkRequest, client: str, owner: str | None) -> tuple[str, bool]:
+        """Make a link to a run or a batch; return its slug, and whether it stores time histories too.
 
         Raises:
-            InvalidError: No such run.
+            InvalidError: There is no such run or batch, or no such field or strategy of it.
             TemporaryError: Too many new links, or too much is being computed.
         """
-        places = [(run_id, "run_id"), *((pin.run, f"view/pins/{n}/run") for n, pin in enumerate(view.pins or []))]
+        slug, view = digest.random_id(), _sent(request.view, request.requirements)
+        if request.run_id is not None:
+            link = StoredLink(slug=slug, kind="run", target=request.run_id, view=view, owner=owner)
+            return slug, await self._share_run(link, request.view, client)
+        link = StoredLink(slug=slug, kind="batch", target=str(request.batch_id), view=view, owner=owner)
+        await self._share_batch(link, request.view, client)
+        return slug, False
+
+    async def page(self, owner: str | None, limit: int, cursor: str | None) -> tuple[list[JsonObject], str | None]:
+        """Return the newest links, of an owner or (None) of all, and the cursor of the next page."""
+        rows, following = await self.store.read(self.store.links.page, owner, limit, cursor)
+        return [{**row._mapping, "batch_id": row.job_id} for row in rows], following
+
+    async def revoke(self, slug: str, owner: str | None) -> None:
+        """Take a link back; see `LinkStore.revoke`."""
+        await self.store.write(self.store.links.revoke, slug, owner)
+
+    async def _share_run(self, link: StoredLink, view: LinkView, client: str) -> bool:
+        """Share a run, and whether its time histories are pinned with it.
+
+        Each run that the view compares it with gets a link of its own, which keeps it in the same way.
+        """
+        places = [(link.target, "run_id"), *((pin.run, f"view/pins/{n}/run") for n, pin in enumerate(view.pins or []))]
         shared = [await self._shared(run, place, client) for run, place in places]
         _check_names(view, {item.strategy for each in shared for item in each.stored.results})
         missing = {key for each in shared for key in each.missing.values()}
         self.gate.linking(client, links=len(shared), pinned=len(missing))
         series = [await self._pin(each, client) for each in shared]
         for each, pinned in zip(shared[1:], series[1:], strict=True):
-            await self._save_run(each.stored, {}, pinned, client)
-        slug = await self._save_run(shared[0].stored, _sent(view, requirements), series[0], client)
-        complete = set(shared[0].missing.values()) <= series[0].keys()
-        return CreatedLink(slug=slug, url=url(slug), series_pinned=bool(_histories(shared[0].stored)) and complete)
+            beside = replace(link, slug=digest.random_id(), target=each.stored.id, view={}, pin_of=link.slug)
+            await self._save_run(beside, each.stored, pinned, client)
+        await self._save_run(link, shared[0].stored, series[0], client)
+        return bool(_histories(shared[0].stored)) and set(shared[0].missing.values()) <= series[0].keys()
 
     async def _shared(self, run_id: str, place: str, client: str) -> _SharedRun:
         """The run, and which of its time histories no link has pinned yet."""
@@ -87,37 +105,26 @@ class Links:
         present = await self.store.read(self.store.links.pinned, keys.values())
         return _SharedRun(stored=stored, missing={name: key for name, key in keys.items() if key not in present})
 
-    async def share_batch(
-        self, batch_id: str, view: LinkView, client: str, requirements: Sequence[Requirement] = ()
-    ) -> CreatedLink:
-        """A new link to a batch.
-
-        Raises:
-            InvalidError: No such batch, or a view of a field that it does not sweep.
-            TooManyRequestsError: Too many new links.
-        """
-        stored = await self.store.read(self.store.jobs.load, batch_id)
+    async def _share_batch(self, link: StoredLink, view: LinkView, client: str) -> None:
+        stored = await self.store.read(self.store.jobs.load, link.target)
         if stored is None or stored.kind != SWEEP.name:
             raise _unknown("batch_id", "There is no batch of this id")
         if view.x not in (None, *stored.request["fields"]):
             raise _unknown("view/x", f"This batch sweeps {', '.join(stored.request['fields'])}")
         _check_names(view, stored.request["strategies"])
         self.gate.linking(client)
-        slug = await self._save("batch", batch_id, _sent(view, requirements), {})
-        if slug is None:
+        if not await self.store.write(self.store.links.save, link, {}):
             raise _unknown("batch_id", "There is no batch of this id")
-        return CreatedLink(slug=slug, url=url(slug), series_pinned=False)
 
     async def get(self, slug: str, client: str) -> JsonObject:
-        """The answer about a link, of the shape of `Link`.
+        """The answer about a link, of the shape of `Link` but for its `url`.
 
         Raises:
             NotFoundError: There is none.
+            RevokedError: It was taken back.
             RoadGoneError, TemporaryError: Its run has to be computed again, see `Runs.stored`.
         """
         link = await self._load(slug)
-        if link is None:
-            raise NotFoundError("There is no link of this slug.")
         if link.kind == "batch":
             job = await self._job(link)
             return _opened(link, job, job.request["scenario"], batch=_batch(job).model_dump())
@@ -125,7 +132,7 @@ class Links:
         if stored.expired:
             again = await self.runs.stored(stored.id, client)
             stored = replace(again, schema_version=stored.schema_version)
-            link = await self._load(slug) or link  # now it knows that something was damaged
+            link = await self._load(slug)  # now it knows that something was damaged
         # Not of a strategy that failed when it was shared, and that another core version has computed since.
         shared = [item for item in stored.shown if item.core_version in (None, stored.core_version)]
         keys = {item.key for item in shared}
@@ -138,11 +145,14 @@ class Links:
             run=await asyncio.to_thread(_judged_run, stored, link),
         )
 
-    async def preview(self, slug: str) -> Preview | None:
-        """The link's preview in a chat program; None where there is no such link."""
+    async def preview(self, slug: str) -> Preview:
+        """Return the link's preview in a chat program.
+
+        Raises:
+            NotFoundError: There is none.
+            RevokedError: It was taken back.
+        """
         link = await self._load(slug)
-        if link is None:
-            return None
         if link.kind == "batch":
             batch = await self._job(link)
             return preview.of_batch(_batch(batch).model_dump(), batch.finished_at or batch.created_at)
@@ -167,27 +177,16 @@ class Links:
             series = await self.workers.call(pins.make, scenario, list(missing), client=client, cost=cost)
         return {missing[name]: content for name, content in series.items()}
 
-    async def _save_run(self, run: StoredRun, view: JsonObject, series: Mapping[str, bytes], client: str) -> str:
+    async def _save_run(self, link: StoredLink, run: StoredRun, series: Mapping[str, bytes], client: str) -> None:
         """Save a link to a run; results that were removed since the run was read are computed again first."""
-        while (slug := await self._save("run", run.id, view, series, run.failed_now)) is None:
+        while not await self.store.write(self.store.links.save, link, series, run.failed_now):
             run = await self.runs.stored(run.id, client)
-        return slug
 
-    async def _save(
-        self,
-        kind: Literal["run", "batch"],
-        target: str,
-        view: JsonObject,
-        series: Mapping[str, bytes],
-        failed: Collection[str] = (),
-    ) -> str | None:
-        """The new link's slug; None where a result of the run, or the batch, was removed meanwhile."""
-        slug = digest.random_id()
-        link = StoredLink(slug=slug, kind=kind, target=target, view=view)
-        return slug if await self.store.write(self.store.links.save, link, series, failed) else None
-
-    async def _load(self, slug: str) -> StoredLink | None:
-        return await self.store.read(self.store.links.load, slug) if re.fullmatch(SLUG_PATTERN, slug) else None
+    async def _load(self, slug: str) -> StoredLink:
+        link = await self.store.read(self.store.links.load, slug) if re.fullmatch(SLUG_PATTERN, slug) else None
+        if link is None:
+            raise NotFoundError("There is no link of this slug.")
+        return link
 
     async def _run(self, link: StoredLink) -> StoredRun:
         stored = await self.store.read(self.store.runs.load, link.target)
@@ -206,11 +205,6 @@ class Links:
 def _batch(job: StoredJob) -> Batch:
     """A batch whose scenario is today's already."""
     return Batch.from_stored(replace(job, schema_version=SCHEMA_VERSION), 0, resumable=False)
-
-
-def url(slug: str) -> str:
-    """Path of the page that opens the link."""
-    return f"/s/{slug}"
 
 
 def _histories(stored: StoredRun) -> dict[str, str]:
@@ -248,7 +242,6 @@ def _opened(link: StoredLink, shown: StoredRun | StoredJob, scenario: JsonObject
     finished_at = shown.finished_at if isinstance(shown, StoredJob) else None
     return {
         "slug": link.slug,
-        "url": url(link.slug),
         "created_at": link.created_at,
         "kind": link.kind,
         "core_version": shown.core_version,

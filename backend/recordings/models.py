@@ -1,5 +1,7 @@
 """The shapes of what is answered about recorded drives."""
 
+from datetime import datetime
+
 from pydantic import Field
 
 from backend.models import Answer
@@ -29,3 +31,20 @@ class CreatedRecording(RecordingAnswer):
 
     columns: list[RecordedColumn] = Field(description="All of the file's")
     warnings: list[str] = Field(description="What was done to the file, and what may be wrong with it")
+
+
+class RecordingRow(Answer):
+    """A recording in a list."""
+
+    id: str
+    strategy: str
+    samples: int
+    signals: list[str] = Field(description="By the catalogue's names")
+    created_at: datetime = Field(description="When it was last sent")
+
+
+class RecordingPage(Answer):
+    """The newest recordings."""
+
+    recordings: list[RecordingRow]
+    next: str | None = Field(description="Cursor of the next page; null: this is the last one")

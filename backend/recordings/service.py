@@ -11,7 +11,7 @@ from backend.csv_lines import CsvError
 from backend.errors import InvalidError, NotFoundError
 from backend.gate import Gate
 from backend.recordings import export, reading
-from backend.recordings.models import CreatedRecording, RecordedColumn, RecordingAnswer
+from backend.recordings.models import CreatedRecording, RecordedColumn, RecordingAnswer, RecordingPage, RecordingRow
 from backend.store import Store
 from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import PREFIX, RecordedDrive, recording_id
@@ -28,8 +28,10 @@ class Recordings:
     workers: Workers
     gate: Gate
 
-    async def create(self, content: bytes, mapping: Mapping[str, str], client: str) -> CreatedRecording:
-        """Read a CSV file and store its recording; arguments as of `reading.read`.
+    async def create(
+        self, content: bytes, mapping: Mapping[str, str], client: str, owner: str | None
+    ) -> CreatedRecording:
+        """Read a CSV file that a token sent, and store its recording; the first arguments as of `reading.read`.
 
         Raises:
             InvalidError: It is none; the message has the line.
@@ -40,7 +42,7 @@ class Recordings:
                 read = await self.workers.call(reading.read, content, mapping, client=client, cost=READING_COST)
             except CsvError as error:
                 raise InvalidError(f"Line {error.line}: {error.message}.", pointer="") from None
-        await self.store.write(self.store.recordings.save, read.drive)
+        await self.store.write(self.store.recordings.save, read.drive, owner)
         head = await self.workers.call(head_of, read.drive, client=client)
         columns = [RecordedColumn.model_validate(each) for each in read.columns]
         return CreatedRecording(**head, columns=columns, warnings=list(read.warnings))
@@ -55,6 +57,27 @@ class Recordings:
         drive = await self._stored(recording)
         with self.gate.computing(client, 0.0):
             return RecordingAnswer(**await self.workers.call(head_of, drive, client=client))
+
+    async def page(self, owner: str | None, limit: int, cursor: str | None) -> RecordingPage:
+        """Return the newest recordings, those that an owner sent or (None) all."""
+        rows, following = await self.store.read(self.store.recordings.page, owner, limit, cursor)
+        return RecordingPage(
+            recordings=[
+                RecordingRow(
+                    id=row.id,
+                    strategy=f"{PREFIX}{row.id}",
+                    samples=row.samples,
+                    signals=row.signals.split(","),
+                    created_at=row.created_at,
+                )
+                for row in rows
+            ],
+            next=following,
+        )
+
+    async def delete(self, recording: str, owner: str | None) -> None:
+        """Take a recording back; see `FileStore.delete`."""
+        await self.store.write(self.store.recordings.delete, recording, owner)
 
     async def csv(self, recording: str, client: str) -> bytes:
         """Its signals as CSV; sent again, it is the same recording.

@@ -1,5 +1,7 @@
 """The shapes of what is answered about measured roads."""
 
+from datetime import datetime
+
 from pydantic import Field
 
 from backend.models import Answer, CautionAnswer
@@ -70,3 +72,19 @@ class RoadAnswer(RoadHead):
 
     distance: list[float] = Field(description="About as many as asked for, peaks among them [m]")
     height: list[float] = Field(description="There [m]")
+
+
+class RoadRow(Answer):
+    """A road in a list."""
+
+    id: str
+    length: float = Field(description="[m]")
+    samples: int
+    created_at: datetime = Field(description="When it was last sent")
+
+
+class RoadPage(Answer):
+    """The newest roads."""
+
+    roads: list[RoadRow]
+    next: str | None = Field(description="Cursor of the next page; null: this is the last one")

@@ -12,7 +12,7 @@ from backend.gate import Gate
 from backend.json_types import JsonObject
 from backend.models import CautionAnswer
 from backend.roads import survey
-from backend.roads.models import CreatedRoad, FoundBumpAnswer, RoadAnswer
+from backend.roads.models import CreatedRoad, FoundBumpAnswer, RoadAnswer, RoadPage, RoadRow
 from backend.store import Store
 from sim_core import RidelabError, Scenario
 from sim_core.comparison.road_cautions import road_cautions, spectrum_caution
@@ -33,8 +33,10 @@ class MeasuredRoads:
     workers: Workers
     gate: Gate
 
-    async def create(self, client: str, read: Callable[..., survey.Survey], *file: object) -> CreatedRoad:
-        """Store the road that `read` makes of a file.
+    async def create(
+        self, client: str, owner: str | None, read: Callable[..., survey.Survey], *file: object
+    ) -> CreatedRoad:
+        """Store the road that `read` makes of a file, which a token sent.
 
         Raises:
             InvalidError: It is none; the message has the line.
@@ -46,7 +48,7 @@ class MeasuredRoads:
             except (CsvError, survey.SurveyError) as error:
                 place = "" if error.line is None else f"Line {error.line}: "
                 raise InvalidError(f"{place}{error.message}.", pointer="") from None
-        await self.store.write(self.store.roads.save, surveyed.road, surveyed.analysis)
+        await self.store.write(self.store.roads.save, surveyed.road, surveyed.analysis, owner)
         road = surveyed.road
         return CreatedRoad(
             id=road.id,
@@ -79,6 +81,19 @@ class MeasuredRoads:
             cautions=_cautions(analysis, road.length),
             **analysis,
         )
+
+    async def page(self, owner: str | None, limit: int, cursor: str | None) -> RoadPage:
+        """Return the newest roads, those that an owner sent or (None) all."""
+        rows, following = await self.store.read(self.store.roads.page, owner, limit, cursor)
+        roads = [
+            RoadRow(**row._mapping, length=MeasuredRoad(id=row.id, samples=row.samples, content=b"").length)
+            for row in rows
+        ]
+        return RoadPage(roads=roads, next=following)
+
+    async def delete(self, road_id: str, owner: str | None) -> None:
+        """Take a road back; see `FileStore.delete`."""
+        await self.store.write(self.store.roads.delete, road_id, owner)
 
     async def exported(self, road_id: str, client: str, write: Callable[[MeasuredRoad], bytes]) -> bytes:
         """Every height of the stored road, as `write` writes it; sent again, it is the same road.

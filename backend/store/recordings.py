@@ -2,23 +2,25 @@
 
 from collections.abc import Iterable
 
-from sqlalchemy import select, update
+from sqlalchemy import select
 
-from backend.db.database import RowStore, insert_new
-from backend.db.tables import recordings
-from backend.db.types import Now
+from backend.db.database import Database
+from backend.db.tables import recording_owners, recordings, run_recordings
+from backend.store.files import FileStore
 from sim_core.scenario.recorded import RecordedDrive
 
 
-class RecordingStore(RowStore):
-    """Reads and writes recordings; they never change."""
+class RecordingStore(FileStore):
+    """Reads and writes recordings."""
 
-    def save(self, drive: RecordedDrive) -> None:
-        """Commit a recording; for one already stored, restart its retention."""
+    def __init__(self, database: Database) -> None:
+        super().__init__(database, "recording", recordings, recording_owners, run_recordings)
+
+    def save(self, drive: RecordedDrive, owner: str | None = None) -> None:
+        """Commit a recording that a token sent; for one already stored, restart its retention."""
         row = {"id": drive.id, "samples": drive.samples, "signals": drive.keys, "content": drive.content}
         with self._database.writing() as connection:
-            insert_new(connection, recordings, [row])
-            connection.execute(update(recordings).where(recordings.c.id == drive.id).values(created_at=Now()))
+            self._save(connection, row, owner)
 
     def load(self, ids: Iterable[str]) -> dict[str, RecordedDrive]:
         """The stored ones of these recordings, by id."""

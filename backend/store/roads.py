@@ -6,10 +6,10 @@ from collections.abc import Iterable
 from sqlalchemy import select, update
 
 from backend.db.checksum import checksum_of
-from backend.db.database import RowStore, insert_new
-from backend.db.tables import roads
-from backend.db.types import Now
+from backend.db.database import Database
+from backend.db.tables import job_roads, road_owners, roads, run_roads
 from backend.json_types import JsonObject
+from backend.store.files import FileStore
 from sim_core.scenario.measured import ID_PATTERN, MeasuredRoad
 
 PROFILE = "profile"  # a road's field
@@ -29,18 +29,22 @@ def swept_roads(sweep: JsonObject) -> set[str]:
     return {each for each in named if isinstance(each, str) and re.fullmatch(ID_PATTERN, each)}
 
 
-class RoadStore(RowStore):
-    """Reads and writes measured roads; they never change."""
+class RoadStore(FileStore):
+    """Reads and writes measured roads."""
 
-    def save(self, road: MeasuredRoad, analysis: JsonObject | None = None) -> None:
-        """Commit a road; for one already stored, restart its retention. The first analysis of it stays."""
+    def __init__(self, database: Database) -> None:
+        super().__init__(database, "measured road", roads, road_owners, run_roads, job_roads)
+
+    def save(self, road: MeasuredRoad, analysis: JsonObject | None = None, owner: str | None = None) -> None:
+        """Commit a road that a token sent; for one already stored, restart its retention.
+
+        The first analysis of it stays.
+        """
         row = {"id": road.id, "samples": road.samples, "content": road.content, "analysis": analysis}
+        first = {"analysis": analysis, "checksum": checksum_of(roads, row)}
         with self._database.writing() as connection:
-            insert_new(connection, roads, [row])
-            stored = update(roads).where(roads.c.id == road.id)
-            first = {"analysis": analysis, "checksum": checksum_of(roads, row)}
-            connection.execute(stored.where(roads.c.analysis.is_(None)).values(**first))
-            connection.execute(stored.values(created_at=Now()))
+            self._save(connection, row, owner)
+            connection.execute(update(roads).where(roads.c.id == road.id, roads.c.analysis.is_(None)).values(**first))
 
     def analysis(self, road_id: str) -> JsonObject:
         """What was said of the first file of the stored road; empty where that was before roads were analysed."""

@@ -5,6 +5,7 @@ What reads a stored run, what makes and finds jobs, and what handles measured fi
 
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
+from urllib.parse import urljoin
 
 from ridelab.connection import API, Scenario
 from ridelab.errors import RidelabConnectionError
@@ -228,7 +229,18 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
         body: dict[str, Any] = {"run_id" if isinstance(result, RunResult) else "batch_id": result.id}
         body |= {} if view is None else {"view": view}
         answer = self._http.json("POST", f"{API}/links", body=body, repeatable=False)
-        return Link(slug=answer["slug"], url=self.address + answer["url"])
+        return Link(slug=answer["slug"], url=urljoin(self.address, answer["url"]))
+
+    def links(self, *, limit: int = 50) -> list[dict[str, Any]]:
+        """The newest links first: with tokens one's own, without them on the service's own machine.
+
+        Each has `slug`, `url`, `kind`, `run_id`, `batch_id`, `created_at` and `revoked_at`.
+        """
+        return list(self._listed("links", None, None, limit))
+
+    def revoke_link(self, slug: str) -> None:
+        """Take a link back: from then on it opens nothing, for anybody."""
+        self._http.send("DELETE", f"{API}/links/{quoted_id(slug)}")
 
     def open_link(self, slug: str) -> LinkedResult:
         """What a link pins."""
@@ -236,7 +248,7 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
         plain = {key: answer[key] for key in LinkedResult.__dataclass_fields__ if key not in ("url", "run", "batch")}
         return LinkedResult(
             **plain,
-            url=self.address + answer["url"],
+            url=urljoin(self.address, answer["url"]),
             run=None if answer["run"] is None else self._run(answer["run"]),
             batch=None if answer["batch"] is None else Batch(self._http, answer["batch"]),
         )

@@ -38,7 +38,9 @@ def variables() -> dict[str, object]:
 @pytest.mark.parametrize(("name", "default"), variables().items(), ids=variables().keys())
 def test_a_default_is_the_one_in_the_code(name: str, default: object) -> None:
     written = rows("RIDELAB_", KEPT)[name].strip("`")
-    if isinstance(default, bool | int | float):
+    if isinstance(default, bool):
+        assert written == ("yes" if default else "no")
+    elif isinstance(default, int | float):
         assert float(written) == default
     elif isinstance(default, Path):
         assert Path.cwd().joinpath(default).as_posix().endswith(written)

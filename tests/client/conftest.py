@@ -60,7 +60,9 @@ class Prepared:
             return httpx.Response(200, content=content if isinstance(content, bytes) else json.dumps(content))
         if path.split("/")[1] in STORED:
             return httpx.Response(404, json={"status": 404, "detail": "There is none of this id.", "errors": []})
-        sent = {"content": request.content, "headers": {"Content-Type": "application/json"}} if is_json else {}
+        sent: dict[str, Any] = {}
+        if is_json:
+            sent = {"content": request.content, "headers": {"Content-Type": "application/json"}}
         real = loops.ask(self._application, request.method, request.url.path, **sent)
         return httpx.Response(real.status_code, json=real.json())
 

@@ -189,6 +189,21 @@ def test_a_runs_metrics_are_exported_and_a_refusal_leaves_the_file(cli: Cli, tmp
     assert figures.read_bytes() == before
 
 
+def test_links_are_listed_and_taken_back(cli: Cli, prepared: Prepared) -> None:
+    times = {"created_at": "2026-11-28T12:03:59.59+00:00", "revoked_at": None}
+    address = f"{ADDRESS}/s/{SLUG}"
+    link = {"slug": SLUG, "url": address, "kind": "run", "run_id": RUN, "batch_id": None, **times}
+    prepared.answers["GET /links"] = {"links": [link], "next": None}
+    prepared.answers[f"DELETE /links/{SLUG}"] = b""
+    assert cli("links", "list").splitlines()[1].split() == [SLUG, "run", RUN, "2026-11-28", "12:03"]
+    assert json.loads(cli("links", "list", "--json")) == [link]
+    assert json.loads(cli("links", "revoke", SLUG, address, "--json")) == [{"slug": SLUG}] * 2
+    assert [name for name, _ in prepared.asked].count(f"DELETE /links/{SLUG}") == 2
+    prepared.answers["GET /links"] = {"links": [], "next": None}
+    assert cli("links", "list") == ""
+    cli("links", "revoke", "A" * 22, code=2)
+
+
 def test_jobs_are_shown_followed_stopped_and_removed(cli: Cli, prepared: Prepared) -> None:
     batch = prepared.job("batch", fields=[{"name": "road.seed"}], strategies=["lv"], created_at="2026-01-02T03:04:05")
     tuning = prepared.job("tuning", "running", limits=[], strategy="lqr", created_at="2026-01-03T03:04:05")

@@ -34,11 +34,15 @@ def run(
     return value
 
 
-def ask(app: Any, method: str, address: str, **more: Any) -> httpx.Response:
-    """The answer of an application that was not started to one request, at `http://lab.example` unless it says."""
+def ask(app: Any, method: str, address: str, *, peer: str = "127.0.0.1", **more: Any) -> httpx.Response:
+    """The answer of an application that was not started to one request from that address.
+
+    It goes to `http://lab.example` unless it says.
+    """
 
     async def answer() -> httpx.Response:
-        async with httpx.AsyncClient(transport=httpx.ASGITransport(app), base_url="http://lab.example") as client:
+        transport = httpx.ASGITransport(app, client=(peer, 123))
+        async with httpx.AsyncClient(transport=transport, base_url="http://lab.example") as client:
             return await client.request(method, address, **more)
 
     return run(answer)

@@ -10,7 +10,7 @@ import typer
 from typer.core import TyperCommand
 
 from ridelab import __version__
-from ridelab.cli import jobs
+from ridelab.cli import jobs, links
 from ridelab.cli.cars_and_roads import road, vehicle
 from ridelab.cli.cite import cite
 from ridelab.cli.compare import compare
@@ -98,9 +98,11 @@ COMMANDS = (
 )
 DRIVING = (run_, compare, sweep, robustness, solve, tune, frequency, instant, fmu, fields, strategies)
 JOBS = typer.Typer(help="Batches and tunings: list, show, follow, label, cancel, resume, delete.", no_args_is_help=True)
+LINKS = typer.Typer(help="Links that were shared: list, revoke.", no_args_is_help=True)
 app.add_typer(JOBS, name="jobs")
+app.add_typer(LINKS, name="links")
 app.add_typer(NEW, name="new")
-for group, commands in ((app, COMMANDS), (JOBS, jobs.COMMANDS)):
+for group, commands in ((app, COMMANDS), (JOBS, jobs.COMMANDS), (LINKS, links.COMMANDS)):
     for command in commands:
         alone = command in (serve, demo, backup, check, cite)
         own = command if alone else with_services(command, drives=command in DRIVING)

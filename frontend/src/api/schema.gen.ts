@@ -63,10 +63,12 @@ export interface paths {
         readonly post: operations["fuzzy"];
     };
     readonly "/links": {
+        readonly get: operations["listLinks"];
         readonly post: operations["createLink"];
     };
     readonly "/links/{slug}": {
         readonly get: operations["getLink"];
+        readonly delete: operations["revokeLink"];
     };
     readonly "/live": {
         readonly post: operations["live"];
@@ -98,16 +100,20 @@ export interface paths {
         readonly get: operations["getProblems"];
     };
     readonly "/recordings": {
+        readonly get: operations["listRecordings"];
         readonly post: operations["createRecording"];
     };
     readonly "/recordings/{id}": {
         readonly get: operations["getRecording"];
+        readonly delete: operations["deleteRecording"];
     };
     readonly "/roads": {
+        readonly get: operations["listRoads"];
         readonly post: operations["createRoad"];
     };
     readonly "/roads/{id}": {
         readonly get: operations["getRoad"];
+        readonly delete: operations["deleteRoad"];
     };
     readonly "/robustness": {
         readonly get: operations["getRobustnessDefaults"];
@@ -958,9 +964,23 @@ export interface components {
             readonly url: string;
             readonly view: components["schemas"]["LinkView"];
         };
+        readonly LinkHead: {
+            readonly batch_id: string | null;
+            readonly created_at: string;
+            /** @enum {string} */
+            readonly kind: "run" | "batch";
+            readonly revoked_at: string | null;
+            readonly run_id: string | null;
+            readonly slug: string;
+            readonly url: string;
+        };
         readonly LinkInstant: {
             readonly position: number;
             readonly strategy: string;
+        };
+        readonly LinkPage: {
+            readonly links: readonly components["schemas"]["LinkHead"][];
+            readonly next: string | null;
         };
         readonly LinkPin: {
             readonly name: string;
@@ -1241,6 +1261,10 @@ export interface components {
             readonly signals: readonly string[];
             readonly strategy: string;
         };
+        readonly RecordingPage: {
+            readonly next: string | null;
+            readonly recordings: readonly components["schemas"]["RecordingRow"][];
+        };
         readonly RecordingReport: {
             readonly end: number;
             readonly likeness: number | null;
@@ -1251,6 +1275,13 @@ export interface components {
             readonly samples: number;
             readonly scale: number | null;
             readonly start: number;
+        };
+        readonly RecordingRow: {
+            readonly created_at: string;
+            readonly id: string;
+            readonly samples: number;
+            readonly signals: readonly string[];
+            readonly strategy: string;
         };
         readonly Requirement: {
             readonly max?: number | null;
@@ -1297,6 +1328,16 @@ export interface components {
             readonly samples: number;
             readonly spectrum: components["schemas"]["SpectrumAnswer"] | null;
             readonly waviness: components["schemas"]["EstimateAnswer"] | null;
+        };
+        readonly RoadPage: {
+            readonly next: string | null;
+            readonly roads: readonly components["schemas"]["RoadRow"][];
+        };
+        readonly RoadRow: {
+            readonly created_at: string;
+            readonly id: string;
+            readonly length: number;
+            readonly samples: number;
         };
         readonly RoadsResult: {
             readonly arrival_speed_kmh: number | null;
@@ -1878,7 +1919,9 @@ export type LatinHypercube = components['schemas']['LatinHypercube'];
 export type Limit = components['schemas']['Limit'];
 export type LimitAnswer = components['schemas']['LimitAnswer'];
 export type Link = components['schemas']['Link'];
+export type LinkHead = components['schemas']['LinkHead'];
 export type LinkInstant = components['schemas']['LinkInstant'];
+export type LinkPage = components['schemas']['LinkPage'];
 export type LinkPin = components['schemas']['LinkPin'];
 export type LinkRequest = components['schemas']['LinkRequest'];
 export type LinkView = components['schemas']['LinkView'];
@@ -1913,12 +1956,16 @@ export type ReadingRow = components['schemas']['ReadingRow'];
 export type ReadingsAnswer = components['schemas']['ReadingsAnswer'];
 export type RecordedColumn = components['schemas']['RecordedColumn'];
 export type RecordingAnswer = components['schemas']['RecordingAnswer'];
+export type RecordingPage = components['schemas']['RecordingPage'];
 export type RecordingReport = components['schemas']['RecordingReport'];
+export type RecordingRow = components['schemas']['RecordingRow'];
 export type Requirement = components['schemas']['Requirement'];
 export type RequirementResult = components['schemas']['RequirementResult'];
 export type Response = components['schemas']['Response'];
 export type RoadAhead = components['schemas']['RoadAhead'];
 export type RoadAnswer = components['schemas']['RoadAnswer'];
+export type RoadPage = components['schemas']['RoadPage'];
+export type RoadRow = components['schemas']['RoadRow'];
 export type RoadsResult = components['schemas']['RoadsResult'];
 export type RoadsRun = components['schemas']['RoadsRun'];
 export type RoadsStatistics = components['schemas']['RoadsStatistics'];
@@ -2293,6 +2340,21 @@ export interface operations {
             };
         };
     };
+    readonly listLinks: {
+        readonly parameters: {
+            readonly query?: {
+                readonly cursor?: string | null;
+                readonly limit?: number;
+            };
+        };
+        readonly responses: {
+            readonly 200: {
+                content: {
+                    readonly "application/json": components["schemas"]["LinkPage"];
+                };
+            };
+        };
+    };
     readonly createLink: {
         readonly requestBody: {
             readonly content: {
@@ -2318,6 +2380,18 @@ export interface operations {
                 content: {
                     readonly "application/json": components["schemas"]["Link"];
                 };
+            };
+        };
+    };
+    readonly revokeLink: {
+        readonly parameters: {
+            readonly path: {
+                readonly slug: string;
+            };
+        };
+        readonly responses: {
+            readonly 204: {
+                content?: never;
             };
         };
     };
@@ -2488,6 +2562,21 @@ export interface operations {
             };
         };
     };
+    readonly listRecordings: {
+        readonly parameters: {
+            readonly query?: {
+                readonly cursor?: string | null;
+                readonly limit?: number;
+            };
+        };
+        readonly responses: {
+            readonly 200: {
+                content: {
+                    readonly "application/json": components["schemas"]["RecordingPage"];
+                };
+            };
+        };
+    };
     readonly createRecording: {
         readonly parameters: {
             readonly query?: {
@@ -2521,6 +2610,33 @@ export interface operations {
                 content: {
                     readonly "application/json": components["schemas"]["RecordingAnswer"];
                     readonly "text/csv": string;
+                };
+            };
+        };
+    };
+    readonly deleteRecording: {
+        readonly parameters: {
+            readonly path: {
+                readonly id: string;
+            };
+        };
+        readonly responses: {
+            readonly 204: {
+                content?: never;
+            };
+        };
+    };
+    readonly listRoads: {
+        readonly parameters: {
+            readonly query?: {
+                readonly cursor?: string | null;
+                readonly limit?: number;
+            };
+        };
+        readonly responses: {
+            readonly 200: {
+                content: {
+                    readonly "application/json": components["schemas"]["RoadPage"];
                 };
             };
         };
@@ -2564,6 +2680,18 @@ export interface operations {
                     readonly "application/x-opencrg": string;
                     readonly "text/csv": string;
                 };
+            };
+        };
+    };
+    readonly deleteRoad: {
+        readonly parameters: {
+            readonly path: {
+                readonly id: string;
+            };
+        };
+        readonly responses: {
+            readonly 204: {
+                content?: never;
             };
         };
     };

@@ -8,6 +8,7 @@ import type { NewLink } from "../../api/types";
 import { copyWhenThere, useCopied } from "../../ui/useCopied";
 import { useAction, useActionButton } from "../../lab/actions";
 import { Note } from "../../ui/Messages";
+import { MyLinks } from "./MyLinks";
 import { compact } from "../../ui/IconButton";
 
 type Outcome =
@@ -22,9 +23,11 @@ interface Props {
   readonly obstacle: string | null;
   /** What the link opens, in a sentence. */
   readonly opens: string;
+  /** Whether it makes links that one can take back. */
+  readonly mine?: boolean;
 }
 
-export function ShareLink({ make, obstacle, opens }: Props) {
+export function ShareLink({ make, obstacle, opens, mine = true }: Props) {
   const [outcome, setOutcome] = useState<Outcome | null>(null);
   const newest = useRef(0);
   const opened = outcome !== null && outcome.kind !== "making";
@@ -81,6 +84,7 @@ export function ShareLink({ make, obstacle, opens }: Props) {
               </Text>
               <LinkField url={outcome.url} />
               <Note>{opens}</Note>
+              {mine && <MyLinks />}
             </>
           )}
           {outcome?.kind === "failed" && (
@@ -145,6 +149,7 @@ export function ShareAddress({ what, ready, path }: ShareAddressProps) {
       make={() => Promise.resolve({ url: path ?? window.location.href })}
       obstacle={ready ? null : `There is no ${what} to share yet`}
       opens={`It opens this ${what}, for anyone who reaches this server.`}
+      mine={false}
     />
   );
 }
