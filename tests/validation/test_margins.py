@@ -56,7 +56,7 @@ def car(number: int) -> dict[str, Any]:
     return parts | {name: part for name, part in optional.items() if generator.random() < 0.4}
 
 
-@pytest.mark.parametrize("number", some(2, range(200)))
+@pytest.mark.parametrize("number", some(1, range(200)))
 def test_python_control_has_the_same_margins(number: int) -> None:
     """Its disk margin of both loops (by SLICOT's structured singular value) to 1e-4 and its margins of each to 1e-3.
 

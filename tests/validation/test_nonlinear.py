@@ -11,7 +11,7 @@ from sim_core.scenario import Actuator, Bump, Estimation, Hil, Mismatch, Road, S
 from sim_core.scenario.vehicle import GRAVITY
 from sim_core.simulate import simulate
 from tests.results import event
-from tests.validation.nonlinear_loops import PEAK, RMS, errors, loop, worst
+from tests.validation.nonlinear_loops import errors, loop, worst
 from tests.validation.strategies import some
 
 LINKED = Vehicle(anti_dive=0.6, anti_lift=0.4)
@@ -147,8 +147,10 @@ def test_a_ratio_nobody_knows_of_is_that_of_the_real_car(strategy: str) -> None:
 
 
 def test_a_loop_whose_car_rests_on_a_stop_is_an_adaptive_solvers() -> None:
-    """A load presses the rear axle 0.8 mm onto its stop: with steps of 1 ms its deflection was 10 % off."""
+    """A load presses the rear axle 0.8 mm onto its stop: steps of 1 ms are 0.2 % off in 20 m, and 10 % in LV's 90 m."""
     scenario = loop(194)
     assert scenario.real_vehicle.stop_clearances[0][1] < 0
-    rms, peak = worst(errors(scenario))
-    assert (rms < RMS, peak < PEAK) == (True, True)
+    bump = scenario.road.bump.model_copy(update={"start": 10.0})
+    road = scenario.road.model_copy(update={"length": 20.0, "bump": bump})
+    rms, peak = worst(errors(scenario.model_copy(update={"road": road}), "suspension_only"))
+    assert (rms < 1e-4, peak < 1e-4) == (True, True)
