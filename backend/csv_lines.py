@@ -58,7 +58,7 @@ def lines(text: str, longest: int = MAX_LINE) -> Lines:
 
 
 def separator(head: str) -> str:
-    """What stands between the cells of this header."""
+    """Return the separator between the cells of this header."""
     return next((each for each in ("\t", ";", ",") if each in head), ",")
 
 

@@ -13,7 +13,7 @@ _PLAIN = re.compile(PATTERN.removeprefix("^").removesuffix("$"))
 
 
 def is_plain(text: str) -> bool:
-    """Whether it has none of these characters."""
+    """Check whether it has none of these characters."""
     return _PLAIN.fullmatch(text) is not None
 
 

@@ -15,7 +15,7 @@ Path = Sequence[str | int]
 
 
 def is_name(text: str | int) -> bool:
-    """Whether it looks like a name: letters, digits, `_` and `.`, at most 80."""
+    """Check whether it looks like a name: letters, digits, `_` and `.`, at most 80."""
     return _NAME.fullmatch(str(text)) is not None
 
 

@@ -1,4 +1,4 @@
-"""What there is to choose from, as plain JSON: the scenario's schema, the catalogue, presets and vehicles."""
+"""What there is to choose from, as plain JSON: the scenario's schema, the catalogue, strategies, presets, vehicles."""
 
 from dataclasses import fields
 from typing import Any
@@ -11,6 +11,7 @@ from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.data_sheet import DataSheet
 from sim_core.scenario.presets import PRESETS
 from sim_core.scenario.vehicles import VEHICLES
+from sim_core.strategies import STRATEGIES
 
 Json = dict[str, Any]
 _QUANTITIES = ("signals", "windows", "statistics", "stages", "comfort", "events", "run_figures", "references")
@@ -27,6 +28,11 @@ def catalogue() -> Json:
     keys = {"metric_signals": list(names.METRIC_SIGNALS), "paper_signals": list(names.PAPER_SIGNALS)}
     lists = {name: getattr(names, name.upper()) for name in _QUANTITIES}
     return {name: [_plain(each) for each in items.values()] for name, items in lists.items()} | keys
+
+
+def strategies() -> list[Json]:
+    """Return the id and the label of every strategy of ours."""
+    return [{"id": each.id, "label": each.label} for each in STRATEGIES.values()]
 
 
 def presets() -> list[Json]:

@@ -77,7 +77,7 @@ def compilers() -> list[list[str]]:
 
 
 def has_zig() -> bool:
-    """Whether the package `ziglang` is installed."""
+    """Check whether the package `ziglang` is installed."""
     return importlib.util.find_spec("ziglang") is not None
 
 
@@ -101,12 +101,12 @@ def program() -> Path:
 
 
 def program_fault() -> str | None:
-    """Why the ECU's program is neither there nor can be built; None where it is or may be."""
+    """Return why the ECU's program is neither there nor can be built; None where it is or may be."""
     return None if compilers() or _target(_PROGRAM, _HEADERS).is_file() else NO_COMPILER
 
 
 def firmware_fault() -> str | None:
-    """Why nothing can be built for the control unit's processor; None where it may be."""
+    """Return why nothing can be built for the control unit's processor; None where it may be."""
     return None if has_zig() else NO_CROSS_COMPILER
 
 
@@ -139,7 +139,7 @@ def built(sources: Sequence[Path], include: Sequence[Path]) -> Path:
 
 
 def _target(sources: Sequence[Path], include: Sequence[Path]) -> Path:
-    """Where the program of these sources is cached."""
+    """Return the file in which the program of these sources is cached."""
     texts = [path.read_bytes() for path in sources]
     texts += [path.read_bytes() for place in include for path in sorted(place.glob("*.h"))]
     content = hashlib.sha256(repr([platform.system(), platform.machine(), FLAGS, texts]).encode()).hexdigest()

@@ -66,7 +66,7 @@ class ControllerRow(Answer):
 
 
 class ControllerReport(Answer):
-    """Whether the scenario's controller fits a small microcontroller, and what does; the scenario's own comes first."""
+    """The scenario's own controller and smaller ones on a small microcontroller: which of them fit."""
 
     part: ControllerPart
     sample_time: float = Field(description="Between two steps [s]")
@@ -76,6 +76,6 @@ class ControllerReport(Answer):
 
 
 class Compilers(Answer):
-    """Why the ECU's program cannot be built here, and the remedy; null where nothing is known to be missing."""
+    """The reason why the ECU's program cannot be built here, and the remedy; null where nothing is missing."""
 
     report: str | None = Field(description="For the report, which needs one for the part's processor")

@@ -14,7 +14,7 @@ from sim_core.strategies.lv_hil import LvHil
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ProgramDrive:
-    """What a program's drive was like.
+    """The outcome of a program's drive.
 
     Attributes:
         program: Its file.
@@ -27,7 +27,7 @@ class ProgramDrive:
     changes: dict[str, dict[str, float | None]]
 
     def lines(self) -> Iterator[str]:
-        """It in words."""
+        """Return it in words, line by line."""
         same = "is" if self.same else "is NOT"
         yield f"{self.program} drove the scenario; every metric {same} that of Ridelab's own program"
         for window, row in self.changes.items():

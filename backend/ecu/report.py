@@ -116,7 +116,7 @@ def _row(scenario: Scenario, checked: Checked, part: ControllerPart, simulated: 
 
 
 def _reasons(linked: firmware.Image, most: float, sample_time: float, part: ControllerPart) -> list[str]:
-    """Why it does not fit; empty where it does."""
+    """Return why it does not fit; empty where it does."""
     reasons = []
     if linked.flash > part.flash:
         reasons.append(f"code and constants take {linked.flash / 1024:.0f} KB of {part.flash / 1024:.0f} KB flash")

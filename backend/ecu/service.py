@@ -29,7 +29,7 @@ class Controllers:
 
     @staticmethod
     def compilers() -> Compilers:
-        """What is missing on this machine to build the ECU's program."""
+        """Say what is missing on this machine to build the ECU's program."""
         return Compilers(report=firmware_fault() or program_fault())
 
     async def archive(self, scenario: Scenario, client: str) -> bytes:
@@ -46,7 +46,7 @@ class Controllers:
             return await self.workers.call(export.archive, scenario, client=client, cost=cost)
 
     async def report(self, scenario: Scenario, client: str) -> ControllerReport:
-        """Whether the scenario's controller fits the part, and what does.
+        """Report whether the scenario's controller fits the part, and which smaller ones do.
 
         Raises:
             CostLimitError: It would take too much.

@@ -78,7 +78,7 @@ def forces() -> list[Variable]:
 
 
 def period(sample_time: float) -> Variable:
-    """How often the command changes."""
+    """Return the constant that says how often the command changes."""
     text = "Control step: the command changes so often, whatever the communication step is"
     return Variable(name="sample_time", causality="constant", description=text, unit="s", start=sample_time)
 
@@ -103,7 +103,7 @@ def controller_model(scenario: Scenario, strategy: str) -> Model:
 
 
 def _program_model(controller: EcuController, setup: Setup) -> Model:
-    """Of the ECU's program, float32, behind its converters.
+    """Return the model of the ECU's program, float32, behind its converters.
 
     Raises:
         RidelabError: There is no stabilising controller.
@@ -141,7 +141,7 @@ def _stage() -> Variable:
 
 
 def _law_model(controller: Controller, setup: Setup) -> Model:
-    """Of a linear law.
+    """Return the model of a linear controller.
 
     Raises:
         RidelabError: It is none, or something else decides where a limit binds.

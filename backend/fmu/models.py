@@ -9,7 +9,7 @@ from sim_core.scenario import Scenario
 
 
 class FmuRequest(RequestModel):
-    """What is exported; an omitted part of the scenario takes the paper's default."""
+    """The model to export; an omitted part of the scenario takes the paper's default."""
 
     scenario: SentScenario = Scenario()
     strategy: StrategyName = Field("lv", description="Whose controller")

@@ -19,7 +19,7 @@ from sim_core.strategies.effects import conditional_reads
 
 
 def schema() -> bytes:
-    """JSON Schema of the scenario, with the options of controllers of one's own that there are, and its version.
+    """Return the JSON Schema of the scenario with the options of custom controllers, and its version.
 
     Beside it stands the schema of a data sheet, which `POST /vehicles/from-data-sheet` takes.
     """
@@ -51,7 +51,7 @@ def vehicles() -> bytes:
 
 
 def strategies() -> bytes:
-    """Every strategy."""
+    """Return every strategy."""
     return orjson.dumps(
         [
             {
@@ -70,7 +70,7 @@ def strategies() -> bytes:
 
 
 def _origin(name: str) -> JsonObject:
-    """What is said of a controller of one's own beside what is said of every strategy."""
+    """Return what is said of a custom controller beside what is said of every strategy."""
     origin = custom_controllers.origin(name)
     if origin is None:
         return {"own": False, "source": None, "options": _options({}), "fault": None}
@@ -100,7 +100,7 @@ def catalogue() -> bytes:
 
 
 def figure_templates() -> bytes:
-    """Every figure without data, in the order of display."""
+    """Return every figure without data, in the order of display."""
     return orjson.dumps({"figures": figures.templates()})
 
 

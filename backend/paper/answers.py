@@ -102,7 +102,7 @@ def _simulated(values: claims.Values) -> claims.Values:
 
 
 def reading_row(reading: str, choice: str, base: Sequence[Judged], judged: Sequence[Judged]) -> models.ReadingRow:
-    """What one choice of a question does to the verdicts."""
+    """Count the verdicts under one choice of a question, and how many of them it changes."""
     counts, before = claims.count(judged), {item.cell: item.verdict for item in base}
     changed = sum(before.get(item.cell, item.verdict) is not item.verdict for item in judged)
     return models.ReadingRow(
@@ -111,7 +111,7 @@ def reading_row(reading: str, choice: str, base: Sequence[Judged], judged: Seque
 
 
 def attribution(roads: range, runs: RunsByVariant) -> models.AttributionAnswer:
-    """What each part contributes, from a row for each road: variant -> its figures."""
+    """Return what each part contributes, from a row for each road: variant -> its metrics."""
     values = {variant.id: _of_variant(variant.id, runs) for variant in VARIANTS}
     return models.AttributionAnswer(
         **_head(roads),
@@ -165,7 +165,7 @@ def _counted(judged: Sequence[Judged]) -> dict[str, Any]:
 
 
 def agreement(judged: Sequence[Judged]) -> models.Agreement:
-    """Of the changes we simulate; a misprint is taken as its absolutes have it."""
+    """Count the simulated changes that are close to the paper's; a misprint is taken as its absolutes have it."""
     simulated, _ = claims.split(judged)
     return models.Agreement(
         cells=len(simulated),

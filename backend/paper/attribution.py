@@ -42,12 +42,12 @@ class Variant:
 
     @property
     def id(self) -> str:
-        """Its parts, joined."""
+        """The parts, joined."""
         return "-".join(str(part) for part in (self.controller, self.speed, self.preview, self.weights) if part)
 
     @property
     def label(self) -> str:
-        """Its parts in words."""
+        """The parts in words."""
         words = [_CONTROLLER_WORDS[self.controller]]
         if self.controller == "mpc" and self.weights:
             words.append(_WEIGHTS_WORDS[self.weights])
@@ -124,7 +124,7 @@ class Shares:
 
 
 def shares(values: Values) -> list[Shares]:
-    """How much of LV's gain is speed, preview and switching, figure by figure.
+    """Return how much of LV's gain is speed, preview and switching, metric by metric.
 
     From the MPC with equal weights, without preview, at constant speed to LV: Shapley values (Shapley 1953) of the log
     of the mean, that is the average over the six orders in which the three can be added.
@@ -162,7 +162,7 @@ def compared(first: str, second: str, values: Values) -> list[Interval]:
 
 
 def sentences(values: Values) -> list[str]:
-    """What contributes how much, in words; every number is computed from `values`."""
+    """Say in words what contributes how much; every number is computed from `values`."""
     by_figure, lines = shares(values), []
     for window, statistic, title in (
         ("bump", "peak", "peaks on the bump"),

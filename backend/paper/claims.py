@@ -34,7 +34,7 @@ Values = Mapping[str, Mapping[tuple[str, str, str], Sequence[float]]]
 
 
 class Verdict(StrEnum):
-    """What a printed change comes to."""
+    """The verdict on a printed change."""
 
     REACHED = "reached"
     SMALLER = "smaller"
@@ -107,7 +107,7 @@ def _judged(cell: PaperCell, values: Values) -> Judged:
 
 
 def count(judged: Sequence[Judged]) -> dict[str, int]:
-    """How many cells got each verdict."""
+    """Count the cells with each verdict."""
     return {each.value: sum(item.verdict is each for item in judged) for each in Verdict}
 
 

@@ -14,7 +14,7 @@ ConfidenceInterval = Annotated[list[float], Field(min_length=2, max_length=2, de
 
 
 class Counts(Answer):
-    """How many cells got each verdict."""
+    """The number of cells with each verdict."""
 
     reached: int
     smaller: int
@@ -29,7 +29,7 @@ class Part(Answer):
 
 
 class Agreement(Answer):
-    """How close the simulated changes are to the paper's; for a misprint, to what follows from its absolutes."""
+    """The simulated changes that are close to the paper's; for a misprint, to what follows from its absolutes."""
 
     cells: int
     within: int = Field(description=f"Within ±{AGREEMENT:g} percentage points of the paper's change")
@@ -117,7 +117,7 @@ class AbsoluteRow(Answer):
 
 
 class Distance(Answer):
-    """By which factor, either way, our absolutes are from the printed ones."""
+    """The factor, either way, between our absolutes and the printed ones."""
 
     values: int = Field(description="How many")
     median: float
@@ -133,7 +133,7 @@ class Distances(Answer):
 
 
 class Absolutes(Answer):
-    """What the paper prints beside the changes."""
+    """The absolutes that the paper prints beside the changes."""
 
     rows: list[AbsoluteRow]
     distances: list[Distances]
@@ -174,7 +174,7 @@ class TableAnswer(Answer):
 
 
 class Erratum(Answer):
-    """What is printed and what is used here; Markdown in both."""
+    """A misprint or gap of the paper, and what is used here; both in Markdown."""
 
     place: str
     printed: str
@@ -192,7 +192,7 @@ class Interpretation(Counted):
 
 
 class Progress(Answer):
-    """How many of the runs behind the cells are stored."""
+    """The number of runs behind the cells that are stored."""
 
     done: int
     total: int
@@ -220,7 +220,7 @@ class PaperAnswer(Counted):
 
 
 class ReadingRow(Answer):
-    """What one switch does, all others as they are by default."""
+    """The effect of one switch, all others as they are by default."""
 
     reading: str
     choice: str
@@ -305,7 +305,7 @@ class EqualSpeed(Answer):
 
 
 class AttributionAnswer(Answer):
-    """What each part contributes."""
+    """The contribution of each part."""
 
     core_version: str
     seeds: int

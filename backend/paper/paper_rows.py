@@ -29,7 +29,7 @@ SPEEDS_KMH = tuple(range(10, 85, 5))  # of Figures 3-6, which the paper draws ov
 
 
 def requests_under(choices: Mapping[str, str], roads: range) -> dict[str, tuple[JobRun, ...]]:
-    """By strategy the rows under these choices (question -> choice), road by road."""
+    """Return by strategy the rows under these choices (question -> choice), road by road."""
     of_runs = [(name, choice) for name, choice in choices.items() if name not in WITHOUT_RUNS]
     return _requests(tuple(sorted(of_runs)), roads)
 

@@ -42,7 +42,7 @@ def report(
 
 
 def _span(shares: Sequence[Share]) -> tuple[float, float]:
-    """Where the bars of all shares begin and end: negative ones lie left of zero, the others right of it [%]."""
+    """Return where the bars of all shares begin and end: negative ones lie left of zero, the others right of it [%]."""
     parts = [[getattr(item, factor) for factor in FACTORS] for item in shares]
     low = min(sum(part for part in each if part < 0) for each in parts)
     return low, max(sum(part for part in each if part > 0) for each in parts)

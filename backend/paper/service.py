@@ -96,7 +96,7 @@ class Paper:
         return await asyncio.to_thread(answer)
 
     async def attribution(self, roads: range, client: str) -> AttributionAnswer:
-        """What each part contributes.
+        """Return what each part contributes.
 
         Raises:
             TemporaryError: Too much is being computed.

@@ -27,7 +27,7 @@ _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻μ", "0123456789-µ")
 
 
 def quantity(text: str, unit: str) -> float:
-    """What a number, with or without a unit behind it, is in `unit`.
+    """Return what a number, with or without a unit behind it, is in `unit`.
 
     Raises:
         ValueError: It is no number, or its unit measures something else; the message names the units it takes.
@@ -71,17 +71,17 @@ def unit_within(number: str, unit: str, low: float, high: float) -> str | None:
 
 
 def starts_as_number(text: str) -> bool:
-    """Whether it begins with one, whatever stands behind it."""
+    """Check whether it begins with a number, whatever stands behind it."""
     return _NUMBER.match(text) is not None
 
 
 def is_number(text: str) -> bool:
-    """Whether it is a number and nothing else, without a unit."""
+    """Check whether it is a number and nothing else, without a unit."""
     return _NUMBER.fullmatch(text) is not None
 
 
 def _of_same_quantity(unit: str) -> Mapping[str, float]:
-    """Every unit of what this one measures; this one alone where the table does not have it."""
+    """Return every unit of what this one measures; this one alone where the table does not have it."""
     return next((units for units in UNITS.values() if unit in units), {unit: 1.0})
 
 

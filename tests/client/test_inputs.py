@@ -4,7 +4,6 @@ import json
 import math
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -95,29 +94,6 @@ def test_a_measured_road_that_is_chosen_brings_its_length(
     assert fields.changed({"road": road}, changes, services, swept)["road"].get("length") == length
 
 
-@pytest.mark.parametrize(
-    ("change", "said"),
-    [
-        ("road.bump.height=NaN", "road.bump.height: NaN is not a finite number"),
-        ("road.bump.height=12 kg", "road.bump.height: 12 kg is not understood: it takes m, mm, cm, km, in, ft or µm"),
-        ("road.bump.height=12", "road.bump.height: 12 m is not within -1 to 1 m; perhaps 12cm"),
-        ("vehicle.body_mass=1.2", "vehicle.body_mass: 1.2 kg is not within 50 to 50000 kg; perhaps 1.2t"),
-        ("road.bump.count=0", "road.bump.count: 0 is not within 1 to 200"),
-        ("height=0.1", "height: there is no such name; perhaps road.bump.height"),
-        ("bump.height=0.1", "bump.height: there is no such name; perhaps road.bump.height"),
-        ("xyz=0.1", "xyz: there is no such name; ridelab fields lists them"),
-        ("road.bump.hight=12 cm", "road.bump.hight: there is no such name; perhaps road.bump.height"),
-        ("vehicle.tyre_lift_off=2", "vehicle.tyre_lift_off: 2 is not understood: it takes true or false, on or off"),
-        ("road.bump.height", "--set takes FIELD=VALUE, and road.bump.height is no such pair"),
-        ("road.bump.height=", "--set takes FIELD=VALUE, and road.bump.height= is no such pair"),
-    ],
-)
-def test_changes_that_cannot_be_made_name_the_field(change: str, said: str, services: Services) -> None:
-    with pytest.raises(InputError) as caught:
-        fields.changed({}, [change], services)
-    assert caught.value.lines[0].startswith(said)
-
-
 def test_sweeps() -> None:
     grid = {
         "road.bump.height": ("5cm:150mm:5", [0.05, 0.075, 0.1, 0.125, 0.15]),
@@ -132,38 +108,6 @@ def test_sweeps() -> None:
     assert all(isinstance(value, int) for value in parsed["road.seed"])
     ranges = fields.ranges_of(["road.bump.height=5cm:10 cm", "road.seed=1:9"], "--range", UNITS)
     assert ranges == {"road.bump.height": [0.05, 0.1], "road.seed": [1, 9]}
-
-
-def _grid(specs: list[str]) -> object:
-    return fields.grid_of(specs, UNITS)
-
-
-def _range(specs: list[str]) -> object:
-    return fields.ranges_of(specs, "--range", UNITS)
-
-
-@pytest.mark.parametrize(
-    ("read", "specs", "said"),
-    [
-        (_grid, ["vehicle.tyre_lift_off=0:1:2"], "vehicle.tyre_lift_off: 0:1:2 is not understood: it takes true or"),
-        (_grid, ["road.bump.height=0:1:1"], "road.bump.height: LOW:HIGH:COUNT"),
-        (_grid, ["road.bump.height=0.05:0.15:0.01"], "0.05:0.15:0.01 is neither LOW:HIGH:COUNT, such as"),
-        (_grid, ["road.bump.height=0.05-0.15"], "0.05-0.15 is not understood: it takes m, mm"),
-        (_grid, ["road.bump.height=0:1e999:3"], "1e999 is not a finite number"),
-        (_grid, ["mpc.stage_weights.cruise=[8,NaN,1]"], "NaN is no number"),
-        (_grid, ["road.seed=1", "road.seed=2"], "road.seed: given twice"),
-        (_grid, ["road.bump.height=0.05,60mm"], "road.bump.height: 0.05 and 60mm: give each number its unit, or none"),
-        (_grid, ["road.bump.width=2:120cm:3"], "road.bump.width: 2 and 120cm: give each number its unit"),
-        (_range, ["road.bump.width=2:120cm"], "road.bump.width: 2 and 120cm: give each number its unit"),
-        (_range, ["road.bump.hight=2cm:12cm"], "road.bump.hight: there is no such name; perhaps road.bump.height"),
-        (_grid, ["height=1,2"], "height: there is no such name; perhaps road.bump.height"),
-        (_grid, ["xyz=1,2"], "xyz: there is no such name; ridelab fields lists them"),
-        (_range, ["road.bump.height=1"], "a range is LOW:HIGH"),
-    ],
-)
-def test_sweeps_that_cannot_be(read: Callable[[list[str]], object], specs: list[str], said: str) -> None:
-    with pytest.raises(InputError, match=said):
-        read(specs)
 
 
 @pytest.fixture(scope="module")
@@ -313,20 +257,8 @@ def test_files_that_are_no_scenario(content: str | bytes, said: str, tmp_path: P
     ("arguments", "said"),
     [
         (["run", "http://127.0.0.1:9/docs/abc"], "ends with /r/ID or /s/ID"),
-        (["run", "--strategy", "lv", "--baseline", "passive"], "--baseline: one of the strategies that run, lv"),
         (["run", "--server", "127.0.0.1:9"], "--server or RIDELAB_SERVER: A service's address begins with http://"),
-        (["sweep"], "one of --grid, --latin-hypercube and --list"),
-        (["sweep", "--latin-hypercube", "road.seed=1:2"], "--samples belong together"),
         (["sweep", "--grid", "road.seed=1", "--detach"], "--detach needs --server"),
-        (["sweep", "--grid", "road.seed=1", "-o", "x.xls"], "--out: The file's format has to be json, csv or parquet"),
-        (["sweep", "--grid", "road.seed=1", "--out", "none/x.csv"], "--out: there is no folder none"),
-        (["export", "paper", "--out", "-"], "--format: The file's format has to be"),
-        (["export", "paper", "--metrics", "--out", "x.parquet"], "--metrics: The file's format has to be json or csv"),
-        (["compare", "-", "-"], "Only one of A and B"),
-        (["export", "paper", "--format", "csv", "--json", "--out", "-"], "--json: the file itself would go"),
-        (["fmu", "--json", "--out", "-"], "--json: the file itself would go"),
-        (["controller", "--json", "--out", "-"], "--json: the file itself would go"),
-        (["controller", "--out", "none/x.zip"], "--out: there is no folder none"),
     ],
 )
 def test_bad_input_is_a_line_and_code_2(

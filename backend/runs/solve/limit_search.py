@@ -68,14 +68,14 @@ class Axis:
 
 
 class _NotTriedError(Exception):
-    """Brent's method asks for a value that was not tried yet."""
+    """Brent's method asks for a value that was not tried yet; ends its replay with that value's index."""
 
     def __init__(self, index: int) -> None:
         self.index = index
 
 
 def next_indices(axis: Axis, limit: float, bounds: Bounds) -> list[int]:
-    """Which values to try next; none where the bracket is one step wide, or enough were tried."""
+    """Return the indices of the values to try next; none where the bracket is one step wide, or enough were tried."""
     scan = axis.scan
     if missing := [index for index in scan if index not in bounds]:
         return missing
@@ -99,7 +99,11 @@ def bracket(axis: Axis, limit: float, bounds: Bounds) -> tuple[int | None, int]:
 
 
 def _brent(low: int, high: int, limit: float, bounds: Bounds) -> int | None:
-    """What Brent's method tries next between these, by what was tried so far; None where it has ended."""
+    """Return the index that Brent's method asks for next between these; None where it has ended.
+
+    SciPy's method is replayed from its start over the values tried; the exception of the first one that is missing
+    carries its index out.
+    """
     from scipy.optimize import brentq  # takes a tenth of a second: most processes never need it
 
     finite = [abs(bounds[end] - limit) for end in (low, high) if math.isfinite(bounds[end])]
@@ -145,7 +149,7 @@ def alike(limit: float, bounds: Bounds, best: int, share: float) -> tuple[float,
 
 
 def spans_over(limit: float, bounds: Bounds, below: int) -> list[tuple[int, int]]:
-    """Where, below that index, the values tried do not keep the limit: first and last index of each such stretch."""
+    """Return the stretches below that index that exceed the limit, each with its first and last index tried."""
     spans: list[tuple[int, int]] = []
     below_limit = True
     for index in sorted(index for index in bounds if index < below):
@@ -157,7 +161,7 @@ def spans_over(limit: float, bounds: Bounds, below: int) -> list[tuple[int, int]
 
 
 def turning_points(bounds: Bounds, resolution: float) -> list[int]:
-    """Where the bounds cease to rise or to fall, with both ends; fewer than three where they are monotone.
+    """Return the indices where bounds cease to rise or to fall, with both ends; fewer than three if they are monotone.
 
     Args:
         bounds: Finite ones.

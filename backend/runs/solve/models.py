@@ -22,7 +22,7 @@ Value = int | float  # a whole-number field's stays one
 
 
 def _solvable(fields: Mapping[str, dotted.DottedField]) -> list[str]:
-    """Those of the fields that have a largest value."""
+    """Return the names of fields that have a largest value."""
     return [name for name, each in fields.items() if each.kind in ("number", "integer") and name not in UNORDERED]
 
 
@@ -38,7 +38,7 @@ def _check_field(name: str) -> str:
 
 
 class SolveRequest(RequestModel):
-    """How large a field may be: the largest value in a range that keeps a metric's limit, or every requirement."""
+    """The question how large a field may be while a metric keeps its limit, or while every requirement holds."""
 
     scenario: SentScenario = Scenario()
     strategy: StrategyName
@@ -89,7 +89,7 @@ class SolveRequest(RequestModel):
 
     @property
     def against(self) -> str:
-        """What a requirement's change is against."""
+        """The strategy that a requirement's change is against."""
         return self.baseline or "passive"
 
     @property
@@ -100,17 +100,17 @@ class SolveRequest(RequestModel):
 
     @property
     def bound(self) -> float:
-        """What the value tried has to stay at or below: the limit, or all of the requirements' limits."""
+        """The greatest value that satisfies: of the limit, or as a share of all requirements' limits."""
         return 1.0 if self.limit is None else self.limit
 
     @property
     def held(self) -> str:
-        """What is held to it, in words."""
+        """The metric that is held to it, in words."""
         return self.metric or "the largest part of a limit that is used"
 
     @property
     def held_unit(self) -> str:
-        """Its unit, 1 for none."""
+        """The unit of what is held to the limit, 1 for none."""
         return "1" if self.metric is None else METRICS[self.metric].unit
 
     @staticmethod
@@ -123,7 +123,7 @@ class SolveRequest(RequestModel):
         return Axis.of(*self.range, whole=self._whole(self.field))
 
     def value(self, index: int) -> Value:
-        """One of them, as the field takes it."""
+        """Return the value of an index, as the field takes it."""
         return self._typed(self.axis.value(index))
 
     def resolved(self, index: int, width: float) -> Value:

@@ -71,7 +71,7 @@ class Solver:
 
 
 def _max_cost(request: SolveRequest) -> float:
-    """What trying as many values as may be would cost [s of one core]: all like the costliest of the scan."""
+    """Estimate what trying as many values as may be would cost [s of one core]: all like the costliest of the scan."""
     costs = [0.0]
     for index in request.axis.scan:
         try:

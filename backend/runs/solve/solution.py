@@ -24,7 +24,7 @@ MAX_EXTREMA = 4  # that one sentence names
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Tried:
-    """What came of one value.
+    """The outcome of one value.
 
     Attributes:
         run_id: The run; None where the scenario contradicts itself.
@@ -45,7 +45,7 @@ class Tried:
 
 
 def of_metric(request: SolveRequest, run_id: str, driven: Mapping[str, Sequence[Summary]]) -> Tried:
-    """What the metric of a run is held to the limit with."""
+    """Return the outcome of a run whose metric is held to the limit."""
     values = [METRICS[str(request.metric)].of(summary) for summary in driven[request.strategy]]
     if None in values:
         return Tried(
@@ -59,7 +59,7 @@ def of_metric(request: SolveRequest, run_id: str, driven: Mapping[str, Sequence[
 
 
 def of_requirements(request: SolveRequest, run_id: str, driven: Mapping[str, Sequence[Summary]]) -> Tried:
-    """How far a run uses the requirements' limits."""
+    """Return the outcome of a run that is held to requirements: how far it uses their limits."""
     results = [judged(each, request.strategy, driven, request.against) for each in request.requirements]
     own, base = driven[request.strategy], driven[request.driven[-1]]
     reason = next((f"{each.metric}: {each.reason}" for each in results if each.reason is not None), None)
@@ -73,7 +73,7 @@ def of_requirements(request: SolveRequest, run_id: str, driven: Mapping[str, Seq
 
 
 def bounds_of(tried: Mapping[int, Tried]) -> dict[int, float]:
-    """By index of the value what the limit is compared with."""
+    """Return by the value's index what the limit is compared with."""
     return {index: each.bound for index, each in tried.items()}
 
 
@@ -117,7 +117,7 @@ def _answered(value: int | float, tried: Tried) -> TriedValue:
 
 
 def _refusal(request: SolveRequest, tried: Mapping[int, Tried]) -> ServiceError:
-    """Why there is no solution."""
+    """Return the error that says why there is no solution."""
     least = min(tried, key=lambda index: tried[index].bound)
     if tried[least].reason is not None:
         asked = "/metric" if request.metric else "/requirements"
@@ -138,7 +138,7 @@ def _refusal(request: SolveRequest, tried: Mapping[int, Tried]) -> ServiceError:
 
 
 def _kept(results: Sequence[RequirementResult]) -> str:
-    """Of which metrics the limits are not kept."""
+    """Name the metrics whose limits are not satisfied."""
     return ", ".join(f"{each.metric} does not pass" for each in results if each.result != "pass")
 
 
@@ -164,7 +164,7 @@ def _resolution(request: SolveRequest, index: int, best: Tried) -> float | None:
 
 
 def _unresolved(request: SolveRequest, resolution: float | None, alike: tuple[float, float]) -> Iterator[str]:
-    """What the value's last digits do not tell."""
+    """Say what the value's last digits do not tell."""
     first, last = (request.value(round(index)) for index in alike)
     if resolution is None or first == last:
         return

@@ -13,7 +13,7 @@ from ridelab.cli.reporting import InputError, UnavailableError, waiting
 from ridelab.client import Ridelab
 from ridelab.http import plain
 
-_NAMES = ("/schema", "/catalogue", "/presets", "/vehicles")  # each a function of sim_core.library
+_NAMES = ("/schema", "/catalogue", "/strategies", "/presets", "/vehicles")  # each a function of sim_core.library
 
 
 class InProcess(Ridelab):
@@ -29,8 +29,6 @@ class InProcess(Ridelab):
     def get(self, path: str, params: Mapping[str, Any] | None = None) -> Any:
         """The JSON at a path below `/api/v1`."""
         try:
-            if path == "/strategies":
-                return _strategies()
             if path not in _NAMES:
                 return self._service().get(path, params)
             from sim_core import library
@@ -52,12 +50,6 @@ class InProcess(Ridelab):
             if refusal:
                 raise InputError(*refusal) from None
             raise
-
-
-def _strategies() -> Any:
-    from sim_core import STRATEGIES
-
-    return [{"id": each.id, "label": each.label} for each in STRATEGIES.values()]
 
 
 def _said(error: Mapping[str, Any]) -> str:

@@ -46,7 +46,7 @@ def serve(
 
 
 def _has_screen() -> bool:
-    """Whether somebody looks at a terminal of a machine with a screen, whose browser can be opened."""
+    """Check whether somebody looks at a terminal of a machine with a screen, whose browser can be opened."""
     screen = sys.platform in ("darwin", "win32") or any(map(os.environ.get, ("DISPLAY", "WAYLAND_DISPLAY")))
     return sys.stdout.isatty() and screen
 

@@ -218,7 +218,7 @@ def private(data_dir: Path | None, controllers: Sequence[Path] = ()) -> Iterator
 
 
 def _is_in_log(error: RidelabClientError) -> bool:
-    """Whether the service's log says more."""
+    """Check whether the service's log says more."""
     failed = isinstance(error, RidelabAPIError) and error.status >= 500
     return failed or isinstance(error, RidelabConnectionError) or "service's log" in str(error)
 

@@ -1,6 +1,6 @@
 """`ridelab solve`: how large a field may be while a metric keeps a limit."""
 
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -47,17 +47,8 @@ def solve(
     ridelab = services.at()
     services.doing = "Searching"
     try:
-        solution = ridelab.solve(
-            start,
-            strategy,
-            name,
-            (ends[0], ends[1]),
-            metric,
-            most,
-            roads=roads,
-            baseline=baseline,
-            requirements=required,
-        )
+        held: dict[str, Any] = {"roads": roads, "baseline": baseline, "requirements": required}
+        solution = ridelab.solve(start, strategy, name, (ends[0], ends[1]), metric, most, **held)
     except RidelabAPIError as error:
         if error.kind == "no-solution":
             raise failed(DIFFERENT, [error.detail]) from None

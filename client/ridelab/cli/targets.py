@@ -130,7 +130,7 @@ def _of_library(value: dict[str, Any], name: str, services: Services) -> dict[st
 
 
 def _is_written_out(scenario: dict[str, Any]) -> bool:
-    """Whether a program wrote it, with every field that there was: a person writes what differs from the paper."""
+    """Check whether a program wrote it, with every field there was: a person writes what differs from the paper."""
     estimation = scenario.get("estimation")
     return isinstance(estimation, dict) and estimation.keys() >= _FILTER
 
