@@ -59,8 +59,9 @@ def result_keys(
     keys: list[dict[str, str]] = [{} for _ in roads]
     identity = canonical_identity(roads[0]) if identity is None else identity
     for strategy in strategies:
-        content = _depends_on(roads[0], strategy, identity)
-        part = content["part"]
+        recorded = recording_id(strategy) is not None
+        part = identity if recorded else values_read(roads[0], strategy_named(strategy), identity)
+        content = {**_program([strategy]), "strategy": strategy, "part": part}
         for road, of_road in zip(roads, keys, strict=True):
             if "road.seed" in part:
                 part["road.seed"] = road.road.seed
@@ -113,12 +114,6 @@ def _program(strategies: Iterable[str]) -> JsonObject:
     programs = {name: program(strategy_named(name)) for name in sorted(computed)}
     common = {key: value for each in programs.values() for key, value in each.items() if key != "controller"}
     return {**common, "controllers": {name: each["controller"] for name, each in programs.items()}}
-
-
-def _depends_on(scenario: Scenario, strategy: str, identity: JsonObject) -> JsonObject:
-    recorded = recording_id(strategy) is not None
-    part = identity if recorded else values_read(scenario, strategy_named(strategy), identity)
-    return {**_program([strategy]), "strategy": strategy, "part": part}
 
 
 def _digest(content: JsonObject) -> str:

@@ -100,7 +100,7 @@ StrategyName = Annotated[str, AfterValidator(_check_strategy), Field(json_schema
 
 
 def _check_shown(name: str) -> str:
-    return name if re.fullmatch(NAME_PATTERN, name) else _check_strategy(name)
+    return name if name in STRATEGIES or re.fullmatch(NAME_PATTERN, name) else _check_strategy(name)
 
 
 # Of what is stored: its law's file may have gone since.

@@ -100,21 +100,16 @@ class WorkerProcess:
             TimeoutError: It took too long.
         """
         async with asyncio.timeout(WARM_UP):
-            await asyncio.get_running_loop().run_in_executor(self._waiting, self._receive)
+            await asyncio.get_running_loop().run_in_executor(self._waiting, self._exchange)
 
-    async def call(self, function: Callable[..., Any], args: tuple[Any, ...], timeout: float) -> Answer:
-        """Return what `function(*args)` gives there.
-
-        Raises:
-            WorkerDiedError: The process died.
-            TimeoutError: It took longer than `timeout` [s]; it goes on until `end`.
-        """
+    def ask(self, function: Callable[..., Any], args: tuple[Any, ...]) -> asyncio.Future[Answer]:
+        """Return what `function(*args)` gives there; it fails with WorkerDiedError where the process dies before."""
         from backend import custom_controllers  # takes the core, which the service imports beside its first worker
 
         task = function, args, custom_controllers.controller_sources()
-        async with asyncio.timeout(timeout):
-            answer: Answer = await asyncio.get_running_loop().run_in_executor(self._waiting, self._ask, task)
-        return answer
+        answering = asyncio.get_running_loop().run_in_executor(self._waiting, self._exchange, task)
+        answering.add_done_callback(_retrieve)
+        return answering
 
     def end(self) -> None:
         """End the process, whatever it does; takes some milliseconds."""
@@ -123,20 +118,22 @@ class WorkerProcess:
         self._waiting.shutdown()
         self._pipe.close()
 
-    def _ask(self, task: tuple[Any, ...]) -> Any:
+    def _exchange(self, task: tuple[Any, ...] | None = None) -> Any:
+        """Send a task, perhaps, and return what comes."""
         message = pickle.dumps(task)
         try:
-            self._pipe.send_bytes(message)
-        except OSError:
-            raise WorkerDiedError from None
-        return self._receive()
-
-    def _receive(self) -> Any:
-        try:
+            if task is not None:
+                self._pipe.send_bytes(message)
             answer = self._pipe.recv_bytes()
         except (EOFError, OSError):
             raise WorkerDiedError from None
         return pickle.loads(answer)  # noqa: S301 - our own process's
+
+
+def _retrieve(answering: asyncio.Future[Answer]) -> None:
+    """Nobody may wait any more when it fails: asyncio would log it as never retrieved."""
+    if not answering.cancelled():
+        answering.exception()
 
 
 def _serve(pipe: Connection, warm_up: str, nice: int) -> None:

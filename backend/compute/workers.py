@@ -24,11 +24,15 @@ ATTEMPTS = 2
 BATCH_NICE = 10  # of 19: a process of batches beside one that computes for a person gets a tenth of a core
 RESERVED = 1  # of the interactive processes for short runs, beside those that are set
 MAX_WORKER_MEMORY = 256 * 1024 * 1024  # resident, shared libraries included; beyond it a process is replaced [bytes]
+NOTHING = Answer(None, None, 0)  # of a task that never began
 ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
 
 
 class Workers:
     """Warm processes, which take one task each; the last used is first (its caches fit best).
+
+    Attributes:
+        count: How many tasks of one client may run at once.
 
     Args:
         count: How many tasks of one client may run at once.
@@ -49,7 +53,7 @@ class Workers:
         max_memory: int = MAX_WORKER_MEMORY,
         reserved: int = 0,
     ) -> None:
-        self._count = count
+        self.count = count
         self._reserved = reserved
         self._max_memory = max_memory
         self._timeout = timeout
@@ -62,7 +66,7 @@ class Workers:
         self._ending: set[WorkerProcess] = set()  # which `close` waits for
         self._background: set[asyncio.Task[Any]] = set()
         self._warm = asyncio.Event()
-        self._started = False
+        self._started = self._closed = False
 
     def begin(self) -> None:
         """Begin to warm up; needs no event loop yet, `start` goes on."""
@@ -73,7 +77,7 @@ class Workers:
         """Begin to add every process, each of them used once it is warm."""
         self._started = True
         self.begin()
-        for _ in range(self._count):
+        for _ in range(self.count):
             self._spawn_background(self._add_process())
         for _ in range(self._reserved):
             self._spawn_background(self._add_reserved())
@@ -81,11 +85,6 @@ class Workers:
     async def wait_until_warm(self) -> None:
         """Wait until the first worker is warm."""
         await self._warm.wait()
-
-    @property
-    def count(self) -> int:
-        """How many tasks of one client may run at once."""
-        return self._count
 
     @property
     def ready(self) -> bool:
@@ -118,30 +117,34 @@ class Workers:
             self.start()
         for attempt in range(1, ATTEMPTS + 1):
             task, process = await self._turn(client, cost)
-            # Shielded: whoever asked may go away, the process is given back all the same.
-            running = self._spawn_background(self._run(task, process, function, args))
+            answering = process.ask(function, args)
             try:
-                answer = await asyncio.shield(running)
+                async with asyncio.timeout(self._timeout):
+                    answer = await asyncio.shield(answering)
             except asyncio.CancelledError:
-                # A short one may end by itself: a new process has empty caches.
-                left = 0.0 if task.cost > SHORT else max(0.0, SHORT - self._queue.elapsed(task))
-                asyncio.get_running_loop().call_later(left, running.cancel)
+                self._spawn_background(self._abandon(task, process, answering))
                 raise
-            except WorkerDiedError:
-                WORKER_FAILURES.labels("died").inc()
-                logger.warning("A worker died during a task (%d of %d attempts)", attempt, ATTEMPTS)
             except TimeoutError:
                 WORKER_FAILURES.labels("timeout").inc()
+                self._give_back(task, process, None)
                 raise WorkerTimeoutError from None
-            else:
-                if answer.error is not None:
-                    raise answer.error
-                result: T = answer.value
-                return result
+            except WorkerDiedError:
+                if self._closed:
+                    break
+                WORKER_FAILURES.labels("died").inc()
+                logger.warning("A worker died during a task (%d of %d attempts)", attempt, ATTEMPTS)
+                self._give_back(task, process, None)
+                continue
+            self._give_back(task, process, answer)
+            if answer.error is not None:
+                raise answer.error
+            result: T = answer.value
+            return result
         raise WorkerLostError
 
     async def close(self) -> None:
         """End every process; takes at most a few seconds."""
+        self._closed = True
         self._ending |= self._processes
         self._processes = set()
         background = tuple(self._background)
@@ -150,17 +153,16 @@ class Workers:
         await asyncio.gather(*background, return_exceptions=True)
         await asyncio.gather(*(asyncio.to_thread(process.end) for process in self._ending))
 
-    async def _run(
-        self, task: Task, process: WorkerProcess, function: Callable[..., Any], args: tuple[Any, ...]
-    ) -> Answer:
-        """Run it in that process, which then is idle again; one that gave no answer, or has grown, is replaced."""
+    async def _abandon(self, task: Task, process: WorkerProcess, answering: asyncio.Future[Answer]) -> None:
+        """Nobody waits for a task any more: a short one may end by itself, as a new process has empty caches."""
+        left = 0.0 if task.cost > SHORT else max(0.0, SHORT - self._queue.elapsed(task))
         answer = None
         try:
-            answer = await process.call(function, args, self._timeout)
+            await asyncio.wait({answering}, timeout=left)
+            if answering.done() and answering.exception() is None:
+                answer = answering.result()
         finally:
-            reusable = answer is not None and answer.memory <= self._max_memory
-            self._give_back(task, process, killed=answer is None, reusable=reusable)
-        return answer
+            self._give_back(task, process, answer)
 
     async def _turn(self, client: str, cost: float) -> tuple[Task, WorkerProcess]:
         """Return a task that begins now, and the process that is to run it."""
@@ -176,7 +178,7 @@ class Workers:
             return task, turn.result()
         except BaseException:
             if turn.done():  # its turn came just then
-                self._give_back(task, turn.result())
+                self._give_back(task, turn.result(), NOTHING)
             turn.cancel()
             self._queue.remove(task)
             raise
@@ -195,10 +197,10 @@ class Workers:
             else:
                 turn.set_result(self._idle.pop())
 
-    def _give_back(self, task: Task, process: WorkerProcess, *, killed: bool = False, reusable: bool = True) -> None:
-        """A task has ended: its process takes the next one, or is replaced."""
-        self._queue.end(task, killed=killed)
-        if reusable:
+    def _give_back(self, task: Task, process: WorkerProcess, answer: Answer | None) -> None:
+        """A task has ended: its process takes the next one; one that gave no answer, or has grown, is replaced."""
+        self._queue.end(task, killed=answer is None)
+        if answer is not None and answer.memory <= self._max_memory:
             self._idle.append(process)
         else:
             self._replace(process)

@@ -4,7 +4,7 @@ They have the shapes of `backend.models` and `backend.runs.over_roads`; what is 
 Over 50 roads they take 0.2 s: they are made in threads, beside the event loop.
 """
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import asdict, replace
 from math import isfinite
 
@@ -98,18 +98,19 @@ def _comparison(
         if compared is None or item.strategy == against or item.strategy in compared
     }
     comparison = compare_summaries(summaries, against, scenario)
-    return replace(comparison, cautions=(*comparison.cautions, *_other_versions(stored, summaries)))
+    # Those had failed with the run's core version.
+    others = [item for item in stored.shown if item.core_version not in (None, stored.core_version)]
+    cautions = tuple(_other_version(item, stored) for item in others if item.strategy in summaries)
+    return replace(comparison, cautions=(*comparison.cautions, *cautions)) if cautions else comparison
 
 
-def _other_versions(stored: StoredRun, names: Iterable[str]) -> Iterator[Caution]:
-    """Return a caution for each strategy that another core version has computed: it had failed with the run's."""
-    for item in stored.first_road:
-        if item.strategy in names and item.core_version not in (None, stored.core_version):
-            text = (
-                f"{label_of(item.strategy)} was computed by core {item.core_version}, the other strategies by core "
-                f"{stored.core_version}: part of a difference may come from that."
-            )
-            yield Caution(kind="core_version", text=text, strategy=item.strategy)
+def _other_version(item: Outcome, stored: StoredRun) -> Caution:
+    """Return the caution about a strategy that another core version than the run's has computed."""
+    text = (
+        f"{label_of(item.strategy)} was computed by core {item.core_version}, the other strategies by core "
+        f"{stored.core_version}: part of a difference may come from that."
+    )
+    return Caution(kind="core_version", text=text, strategy=item.strategy)
 
 
 def _judged(stored: StoredRun, requirements: Sequence[Requirement], baseline: str | None) -> list[JsonObject]:

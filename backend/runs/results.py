@@ -1,7 +1,7 @@
 """Gets each strategy's result from memory, the store, an equal computation in progress, or a worker."""
 
 import asyncio
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from cachetools import LRUCache
@@ -11,7 +11,7 @@ from backend.compute.workers import Workers
 from backend.cost.estimate import costs_of
 from backend.gate import Gate
 from backend.json_types import JsonObject
-from backend.metrics import CACHE, count_runs
+from backend.metrics import CACHE, RUNS, SOLVER_FALLBACKS
 from backend.outcome import Outcome, Sampling
 from backend.recordings.service import Recordings
 from backend.roads.service import MeasuredRoads
@@ -138,65 +138,54 @@ class Results:
         self, road: Scenario, keys: Mapping[str, str], request: _Request, places: asyncio.Semaphore
     ) -> Outcomes:
         """Return these results by key, from equal computations in progress, and of the rest from one of its own."""
+        sampling = request.sampling
         async with places:
-            found, joined, rest = Outcomes(), set[_Computation](), dict[str, str]()
+            found, joined, rest = Outcomes(), dict[str, _Computation](), dict[str, str]()
             for name, key in keys.items():
-                if (outcome := self.cached(key, request.sampling)) is not None:
+                equal = [
+                    each
+                    for (other, samples), each in self._in_progress.items()
+                    if other == key and sampling in (None, samples) and not each.task.cancelling()
+                ]
+                if (outcome := self.cached(key, sampling)) is not None:
                     found[key] = outcome  # another request has computed it meanwhile
-                elif (computation := self._computing(key, request.sampling)) is not None:
-                    joined.add(computation)
+                elif equal:
+                    joined[key] = equal[0]
                 else:
                     rest[name] = key
-            outcomes = await self._wait([*joined, *([self._begin(road, rest, request)] if rest else [])])
-            return found | {
-                key: outcomes[key] if key in rest.values() else replace(outcomes[key], cached=True)
-                for key in keys.values()
-                if key not in found
-            }
-
-    def _computing(self, key: str, sampling: Sampling | None) -> _Computation | None:
-        """Return the computation in progress that will have the result with those samples; None is any, or none."""
-        for (other, samples), each in self._in_progress.items():
-            if other == key and sampling in (None, samples) and not each.task.cancelling():
-                return each
-        return None
-
-    def _begin(self, road: Scenario, keys: Mapping[str, str], request: _Request) -> _Computation:
-        """Have a worker compute these results, for every request that wants one of them until they are there."""
-        computation = _Computation(asyncio.create_task(self._computed(road, keys, request)))
-        own = {(key, request.sampling): computation for key in keys.values()}
-        self._in_progress |= own
-
-        def forget(_: object) -> None:
-            for each in own:
-                if self._in_progress.get(each) is computation:
-                    del self._in_progress[each]
-
-        computation.task.add_done_callback(forget)
-        return computation
+            waited = set(joined.values())
+            if rest:
+                own = _Computation(asyncio.create_task(self._computed(road, rest, request)))
+                self._in_progress |= {(key, sampling): own for key in rest.values()}
+                waited.add(own)
+            for each in waited:
+                each.waiting += 1
+            try:
+                outcomes = [await asyncio.shield(each.task) for each in waited]
+            finally:
+                for each in waited:
+                    each.waiting -= 1
+                    if not each.waiting:
+                        each.task.cancel()
+        computed = {key: outcome for each in outcomes for key, outcome in each.items()}
+        found |= {key: computed[key] for key in rest.values()}
+        return found | {key: replace(computed[key], cached=True) for key in joined}
 
     async def _computed(self, road: Scenario, keys: Mapping[str, str], request: _Request) -> Outcomes:
-        cost = sum(request.costs[name] for name in keys)
-        outcomes = await self.workers.call(compute_run, road, keys, request.sampling, client=request.client, cost=cost)
+        """Have a worker compute these results, for every request that wants one of them until they are there."""
+        sampling, cost = request.sampling, sum(request.costs[name] for name in keys)
+        try:
+            outcomes = await self.workers.call(compute_run, road, keys, sampling, client=request.client, cost=cost)
+        finally:
+            for key in keys.values():
+                if self._in_progress[key, sampling].task is asyncio.current_task():
+                    del self._in_progress[key, sampling]
         for outcome in outcomes.values():  # those without series too: until they are committed nothing else has them
-            count_runs("interactive", outcome.status, fallbacks=outcome.fallbacks)
+            RUNS.labels("interactive", outcome.status).inc()
+            SOLVER_FALLBACKS.inc(outcome.fallbacks)
             if outcome.cacheable:
                 self.remember(outcome)
         return {outcome.key: outcome for outcome in outcomes.values()}
-
-    @staticmethod
-    async def _wait(computations: Collection[_Computation]) -> Outcomes:
-        """Return what all of them give, by key; raises what the first failed one raises."""
-        for each in computations:
-            each.waiting += 1
-        try:
-            done = [await asyncio.shield(each.task) for each in computations]
-        finally:
-            for each in computations:
-                each.waiting -= 1
-                if not each.waiting:
-                    each.task.cancel()
-        return {key: outcome for outcomes in done for key, outcome in outcomes.items()}
 
 
 def together(keys: Mapping[str, str], scenario: Scenario, roads: int) -> list[dict[str, str]]:

@@ -104,7 +104,8 @@ class Runs:
             return stored, dict.fromkeys(names, True)
         costs = costs_of(scenario, names)
         self.gate.check_cost(roads * sum(costs.values()))
-        by_road = await self.results.get(seeded(scenario, roads), names, client, costs=costs, identity=identity)
+        every = [scenario] if roads == 1 else seeded(scenario, roads)
+        by_road = await self.results.get(every, names, client, costs=costs, identity=identity)
         run = StoredRun(
             id=run_id,
             core_version=CORE_VERSION,

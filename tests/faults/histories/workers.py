@@ -56,23 +56,26 @@ class _Process:
 
     def __init__(self, *_: Any) -> None:
         self.active = True
+        self._asked: asyncio.Task[Answer] | None = None
 
     async def wait_until_warm(self) -> None:
         await asyncio.sleep(float(self.on.loop.rng.uniform(0.1, self.on.slowest_start)))
 
-    async def call(self, function: Callable[..., Any], args: tuple[Any, ...], timeout: float) -> Answer:
+    def ask(self, function: Callable[..., Any], args: tuple[Any, ...]) -> "asyncio.Task[Answer]":
+        self._asked = asyncio.ensure_future(self._answer(function, args))
+        return self._asked
+
+    async def _answer(self, function: Callable[..., Any], args: tuple[Any, ...]) -> Answer:
         if self in self.on.running:
             self.on.loop.broken("one process has two tasks")
         self.on.running[self] = args
         self.on.begun(args)
         seconds, dies = self.on.duration(args), self.on.loop.rng.random() < self.on.dying
         try:
-            await asyncio.sleep(min(timeout, seconds / 2 if dies else seconds))
-            self.active = not dies and seconds <= timeout
+            await asyncio.sleep(seconds / 2 if dies else seconds)
             if dies:
+                self.active = False
                 raise WorkerDiedError
-            if seconds > timeout:
-                raise TimeoutError
         except asyncio.CancelledError:
             self.active = False
             raise
@@ -82,3 +85,5 @@ class _Process:
 
     def end(self) -> None:
         self.active = False
+        if self._asked is not None:
+            self.on.loop.call_soon_threadsafe(self._asked.cancel)
