@@ -12,24 +12,20 @@ from sim_core.scenario.presets import PRESETS
 from sim_core.scenario.vehicles import VEHICLES
 
 SOFT = {"front_spring": 20_000, "rear_spring": 20_000}
+SAG, FREQUENCY = ("sag", "vehicle.body_mass"), ("body_frequency", "vehicle.body_mass")
 
 
 @pytest.mark.parametrize(
     ("values", "expected", "said"),
     [
-        ({"body_mass": 2400}, [("sag", "vehicle.body_mass")], "by 568 mm at the front axle (0.63 Hz)"),
-        ({"body_mass": 1271}, [("sag", "vehicle.front_spring")], "301 mm at the front axle (0.87 Hz); usual"),
-        ({"rear_spring": 12_000}, [("sag", "vehicle.body_mass")], "362 mm at the rear axle (0.81 Hz); usual"),
-        (
-            {"body_mass": 9000, **SOFT},
-            [("sag", "vehicle.body_mass"), ("body_frequency", "vehicle.body_mass")],
-            "0.28 Hz at the front axle",
-        ),
+        ({"body_mass": 2400}, [SAG], "by 568 mm at the front axle (0.63 Hz)"),
+        ({"body_mass": 1271}, [("sag", "vehicle.front_spring")], "301 mm at the front axle (0.87 Hz)"),
+        ({"rear_spring": 12_000}, [SAG], "362 mm at the rear axle (0.81 Hz)"),
+        ({"body_mass": 9000, **SOFT}, [SAG, FREQUENCY], "0.28 Hz at the front axle"),
         (
             {"body_mass": 250, "front_spring": 150_000, "rear_spring": 20_000},
             [("body_frequency", "vehicle.front_spring")],
-            "3.9 Hz at the front axle; usual is 0.5 to 3 Hz. Masses, springs and dampers are those of one track, half "
-            "of the car.",
+            "3.9 Hz at the front axle",
         ),
         ({"front_spring": 45_000}, [], ""),
     ],
@@ -40,7 +36,6 @@ def test_sag_and_natural_frequencies_beyond_a_cars_are_said_at_their_field(
     cautions = vehicle_cautions(Vehicle(**values))
     assert [(each.kind, each.field) for each in cautions] == expected
     assert said in " ".join(each.text for each in cautions)
-    assert all("paper" not in each.text and "?" not in each.text for each in cautions)
 
 
 def test_a_body_at_the_edge_of_what_is_usual_is_not_cautioned() -> None:
@@ -60,34 +55,28 @@ def test_the_papers_own_sag_is_told_from_ones_own() -> None:
 
 
 STIFF = {"front_spring": 45_000, "rear_spring": 45_000}
-PAPERS = ("paper_sag", "vehicle.front_spring")
+PAPERS, LOADED = ("paper_sag", "vehicle.front_spring"), ("sag", "mismatch.body_mass")
+STOPS = ("rests_on_stops", "vehicle.bump_stop_clearance")
 
 
 @pytest.mark.parametrize(
-    ("vehicle", "mismatch", "expected", "said"),
+    ("vehicle", "mismatch", "expected"),
     [
-        (STIFF, {"body_mass": 2}, [("sag", "mismatch.body_mass")], "by 360 mm at the front axle; usual"),
-        (STIFF, {"springs": 0.5}, [("sag", "mismatch.springs")], "the factors of the model mismatch"),
-        ({}, {"body_mass": 1.1}, [PAPERS, ("sag", "mismatch.body_mass")], "by 330 mm at the front axle"),
-        ({}, {"damping": 0.5, "tyres": 1.2}, [PAPERS], ""),  # what is equal of both is said once
-        ({}, {"body_mass": 0.5}, [PAPERS], ""),
-        (
-            {"bump_stop_clearance": 0.05},
-            {"body_mass": 1.5},
-            [PAPERS, ("sag", "mismatch.body_mass"), ("rests_on_stops", "vehicle.bump_stop_clearance")],
-            "At rest the driven car presses its stops by ",
-        ),
-        ({**STIFF, "bump_stop_clearance": 0.2}, {"body_mass": 1.05}, [], ""),
-        ({**STIFF, "body_mass": 400}, {"springs": 3}, [("body_frequency", "mismatch.springs")], "Hz at the rear axle"),
+        (STIFF, {"body_mass": 2}, [LOADED]),
+        (STIFF, {"springs": 0.5}, [("sag", "mismatch.springs")]),
+        ({}, {"body_mass": 1.1}, [PAPERS, LOADED]),
+        ({}, {"damping": 0.5, "tyres": 1.2}, [PAPERS]),  # what is equal of both is said once
+        ({}, {"body_mass": 0.5}, [PAPERS]),
+        ({"bump_stop_clearance": 0.05}, {"body_mass": 1.5}, [PAPERS, LOADED, STOPS]),
+        ({**STIFF, "bump_stop_clearance": 0.2}, {"body_mass": 1.05}, []),
+        ({**STIFF, "body_mass": 400}, {"springs": 3}, [("body_frequency", "mismatch.springs")]),
     ],
 )
 def test_the_driven_cars_own_values_are_said_beside_the_believed_ones(
-    vehicle: dict[str, Any], mismatch: dict[str, Any], expected: list[tuple[str, str]], said: str
+    vehicle: dict[str, Any], mismatch: dict[str, Any], expected: list[tuple[str, str]]
 ) -> None:
-    scenario = Scenario.model_validate({"vehicle": vehicle, "mismatch": mismatch})
-    cautions = scenario_cautions(scenario)
+    cautions = scenario_cautions(Scenario.model_validate({"vehicle": vehicle, "mismatch": mismatch}))
     assert [(each.kind, each.field) for each in cautions] == expected
-    assert said in " ".join(each.text for each in cautions)
 
 
 def test_a_car_that_rests_on_its_stops_sags_less_than_its_springs_alone_would() -> None:

@@ -8,6 +8,7 @@ import pytest
 
 from sim_core import Actuator, Bump, Lqr, Mpc, Preview, Road, Scenario, Speed, simulate
 from sim_core.scenario.presets import preset
+from sim_core.simulate import prepare
 from tests.results import event
 from tests.validation.reference.loop import drive
 from tests.validation.reference.vehicle import OUTPUTS, behind
@@ -85,7 +86,8 @@ def difference(scenario: Scenario, strategy: str) -> tuple[float, int]:
     """Largest difference of any output or force, each relative to its own peak; and the steps at a limit."""
     law, weighting = LAWS[strategy]
     result = simulate(scenario, strategy)
-    trace = drive(scenario, result, weighting(scenario), law=law)
+    plan = prepare(scenario, strategy).speed_profile
+    trace = drive(scenario, result, plan, weighting(scenario), law=law)
     recorded = trace.fine_time > -1e-9
     count = min(recorded.sum(), len(result.series["time"]))
     theirs = np.array([result.series[name] for name in (*OUTPUTS, "front_force", "rear_force")])[:, :count]

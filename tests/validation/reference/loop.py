@@ -12,39 +12,16 @@ from typing import Any
 import daqp
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicHermiteSpline
 
 from sim_core import Scenario, StrategyResult
 from sim_core.road.profile import road_profile
+from sim_core.speed.profile import SpeedProfile
 from tests.validation.reference.sampled import gauss, interval, mean_cost, regulator, weights
 from tests.validation.reference.vehicle import StateSpace, behind, state_space
 
 Array = NDArray[np.floating[Any]]
 RUN_IN = 20.0  # the car starts in equilibrium this far behind the start [m]
 KILO = 1000.0
-
-
-@dataclass(frozen=True)
-class Plan:
-    """Position [m] and braking deceleration [m/s^2] over time [s], from a result's series; constant speed outside."""
-
-    position: Callable[[Array], Array]
-    speed: Callable[[Array], Array]
-    braking: Callable[[Array], Array]
-
-
-def plan_of(result: StrategyResult) -> Plan:
-    """The drive of a result, as smooth as its samples allow."""
-    t, x, v, a = (result.series[key] for key in ("time", "position", "speed", "brake_deceleration"))
-    spline = CubicHermiteSpline(t, x, v)
-
-    def position(time: Array) -> Array:
-        inside = np.clip(time, t[0], t[-1])
-        beyond = np.minimum(time - t[0], 0) * v[0] + np.maximum(time - t[-1], 0) * v[-1]
-        at: Array = spline(inside) + beyond
-        return at
-
-    return Plan(position=position, speed=lambda time: np.interp(time, t, v), braking=lambda time: np.interp(time, t, a))
 
 
 class Predictor:
@@ -138,16 +115,18 @@ class Trace:
 def drive(
     scenario: Scenario,
     result: StrategyResult,
+    plan: SpeedProfile,
     stage_weights: Callable[[float], tuple[float, float, float]],
     *,
     law: str,
 ) -> Trace:
-    """Drive the scenario with the speed plan of `result`; `stage_weights` gives q1-q3 at a front-axle position.
+    """Drive the scenario by a speed plan, in the fine steps of `result`.
 
+    stage_weights: q1-q3 at a front-axle position.
     law: 'mpc' or 'lqr' (whose weights come from the scenario).
     """
     car, mpc, actuator = scenario.vehicle, scenario.mpc, scenario.actuator
-    model, plan, surface = state_space(car), plan_of(result), road_profile(scenario.road)
+    model, surface = state_space(car), road_profile(scenario.road)
     distance, Ts = behind(scenario), mpc.sample_time
     h = result.series["time"][1] - result.series["time"][0]
     fine = round(Ts / h)
@@ -155,23 +134,26 @@ def drive(
     small, read = interval(model, h, h, corner), interval(model, h, 0.0, corner).output
     most = np.inf if actuator.rate_limit is None else actuator.rate_limit * Ts
 
+    def braking(time: Array) -> Array:
+        return plan.sample(plan.braking, time)
+
     def heights(time: Array) -> Array:
-        x = np.asarray(plan.position(time), dtype=np.float64)
+        x = plan.at(time)[0]
         return np.stack([surface.height(x), surface.height(x - distance)], axis=-1)
 
     def seen(t: float) -> tuple[Array, Array]:
         horizon: Array = t + Ts * np.arange(mpc.prediction_horizon + 1)
         if mpc.preview == "lookahead":
-            return heights(horizon), plan.braking(horizon[:-1] + Ts / 2)
+            return heights(horizon), braking(horizon[:-1] + Ts / 2)
         level = np.tile(heights(np.array([t])), (len(horizon), 1))
         if mpc.preview == "wheelbase":
-            x = plan.position(np.array([t]))[0] - distance
-            distances = plan.speed(np.array([t]))[0] * (horizon - t)
+            (x,), (speed,) = plan.at(np.array([t]))
+            distances = speed * (horizon - t)
             covered = distances[distances <= distance]
-            rear = surface.height(x + covered)
+            rear = surface.height(x - distance + covered)
             level[:, 1] = rear[-1]
             level[: len(rear), 1] = rear
-        return level, np.full(mpc.prediction_horizon, plan.braking(np.array([t]))[0])
+        return level, np.full(mpc.prediction_horizon, braking(np.array([t]))[0])
 
     if law == "lqr":
         weight = weights(
@@ -196,7 +178,7 @@ def drive(
     for k in range(begin, finish):
         t = k * Ts
         if law == "mpc":
-            q = stage_weights(float(plan.position(np.array([t]))[0]))
+            q = stage_weights(float(plan.at(np.array([t]))[0][0]))
             if q not in problems:
                 problems[q] = ReferenceMpc(scenario, predictor, q)
             wanted = problems[q].solve(x, u, *seen(t))
@@ -207,7 +189,7 @@ def drive(
         u = u + np.clip(wanted - u, -most, most)
         moments = t + h * np.arange(fine + 1)
         z = heights(moments)
-        a = plan.braking(moments[:-1] + h / 2)
+        a = braking(moments[:-1] + h / 2)
         for j in range(fine):
             actuation = (force, u) if corner else (u, u[:0])
             w = np.concatenate([x, actuation[0], z[j], z[j + 1], a[j : j + 1], actuation[1]])
