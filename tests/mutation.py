@@ -12,7 +12,7 @@ import resource
 import shutil
 import subprocess
 import sys
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import _lru_cache_wrapper, partial
@@ -27,7 +27,7 @@ import coverage
 import pytest
 
 ROOT, COUNT, MOST_SURVIVORS = Path(__file__).parents[1], 300, 1 / 15
-FOLDERS = ("tests/unit", "tests/validation", "tests/architecture/test_documentation.py")
+TESTS = ("unit/test_*.py", "validation/test_*.py", "architecture/test_documentation.py", "client/test_*controllers.py")
 # It notices any change of a number and knows nothing of which is right: asked when all others have passed.
 GOLDEN = "tests/validation/test_golden.py::test_no_number_changes_without_the_version"
 LEFT_OUT = shutil.ignore_patterns(".*", "node_modules", "__pycache__", "*.egg-info", "build")
@@ -38,10 +38,10 @@ PLACE = re.compile(
     r"(?<= )(?:[-+*/%<>]|[<>=!]=|&&|\|\||[-+]=|and|or|is not|is)(?= )|(?<=\w)\*\*(?=\w)|\bnot (?!in\b)"
     r"|\b(?:(?:min|max)(?:imum)?(?=\()|True|False)\b|(?<![\w.])\d+(?:\.\d*)?(?:e[-+]?\d+)?(?![\w.])"
 )
-CONDITION = re.compile(r"(?<=if )[^\n]+(?=:\n)")
+CONDITION = re.compile(r"(?<=if )[^\n]+(?=:\n)|(?<= if )[^\n]+(?= else )")
 # Comments and texts, and in Python what people read and what speaks of types.
 NO_CODE = {
-    ".py": r'"""(?:.|\n)*?"""|f?r?"(?:\\.|[^"\\\n])*"|#[^\n]*|^ *(?:raise|from|import|@)[^\n]*',
+    ".py": r'"""(?:.|\n)*?"""|f?r?"(?:\\.|[^"\\\n])*"|#[^\n]*|^ *(?:raise|from|import|@)[^\n]*|Annotated\[[^\n]*',
     ".c": r'/\*(?:.|\n)*?\*/|"(?:\\.|[^"\\\n])*"|^#[^\n]*',
 }
 Place = tuple[str, int, int, str]  # file, first character, end, and what takes their place
@@ -49,34 +49,55 @@ _coverage, _seconds = coverage.Coverage(data_file=None, include=["*/sim_core/*"]
 
 
 def places() -> list[Place]:
-    """Return the chosen ones, of a file as many as the root of their number: no table of constants has most."""
+    """Return the chosen ones, of a file as many as the root of their number: no table of constants has most.
+
+    Whether a place is chosen follows from the seed and its line: a change elsewhere leaves nearly all as they were.
+    """
     keyed = []
-    for file in sorted(path for kind in NO_CODE for path in (ROOT / "sim_core").glob(f"*/**/*{kind}")):
+    for file in sorted(path for kind in NO_CODE for path in (ROOT / "sim_core").glob(f"**/*{kind}")):
+        if re.search(r"setup\.py|kernel/build\.py|/host/", str(file)):  # what installs it, what no test loads
+            continue
         source, name = file.read_text(), str(file.relative_to(ROOT))
         code = re.sub(NO_CODE[file.suffix], lambda text: re.sub(r"\S", " ", text[0]), source, flags=re.MULTILINE)
         found = [
-            (name, *place.span(), _other(place[0])) for kind in (PLACE, CONDITION) for place in kind.finditer(code)
+            (name, *each.span(), _other(source[slice(*each.span())]))
+            for kind in (PLACE, CONDITION)
+            for each in kind.finditer(code)
         ]
-        for number, place in enumerate(found):
-            random = Random(f"{os.environ.get('MUTATE_SEED') or 1} {name} {number}")  # noqa: S311  # no secret
+        alike = Counter[str]()
+        for place in found:
+            change = f"{os.environ.get('MUTATE_SEED') or 1} {name} {describe(place, source)}"
+            alike[change] += 1
+            random = Random(f"{change} {alike[change]}")  # noqa: S311  # no secret
             keyed.append((random.random() ** len(found) ** 0.5, place))
     piece, pieces = map(int, (os.environ.get("MUTATE_PIECE") or "1/1").split("/"))
     return [place for _, place in sorted(keyed, reverse=True)[piece - 1 : COUNT : pieces]]
 
 
+def describe(place: Place, source: str) -> str:
+    """Return a place's line before and after."""
+    _, first, end, text = place
+    line = source.count("\n", 0, first)
+    return " -> ".join(each.split("\n")[line].strip() for each in (source, source[:first] + text + source[end:]))
+
+
 def _other(text: str) -> str:
     if text in SWAPS:
         return SWAPS[text]
-    if text[0].isdigit():
-        return str(int(text) + 1) if text.isdigit() else repr(2 * float(text) or 1.0)
-    return f"not ({text})"
+    if text.isdigit():
+        return str(int(text) + 1)
+    try:
+        return repr(2 * float(text) or 1.0)
+    except ValueError:  # no number, but a condition
+        return f"not ({text})"
 
 
 def run_pytest(copy: Path, *arguments: str, seconds: float = resource.RLIM_INFINITY, **environment: str) -> str | None:
     """Return the first test that fails, or None; one that takes so many seconds of a processor fails too."""
     limit = partial(resource.setrlimit, resource.RLIMIT_CPU, (int(seconds), int(seconds)))
     command = [sys.executable, "-m", "pytest", "-qx", "-p", "no:cacheprovider", "-p", "no:xdist", *arguments]
-    settings = {**os.environ, "PYTHONPATH": f"{copy}{os.pathsep}{copy / 'client'}", "THOROUGH": "1", **environment}
+    at_length = {"THOROUGH": "1", "DRILL_SCENARIOS": "400"}
+    settings = {**os.environ, "PYTHONPATH": f"{copy}{os.pathsep}{copy / 'client'}", **at_length, **environment}
     with copy.with_suffix(".log").open("w+") as log:
         code = subprocess.call(command, cwd=copy, env=settings, stdout=log, stderr=log, preexec_fn=limit)
         log.seek(0)
@@ -94,7 +115,7 @@ class Copies(SimpleQueue[Path]):
             compile_core(folder / str(each))
             self.put(folder / str(each))
         self.seconds, self.tests = dict[str, float](), defaultdict[str, dict[int, set[str]]](lambda: defaultdict(set))
-        files = [file for place in FOLDERS for file in sorted((ROOT / place).glob("test_*.py")) or [ROOT / place]]
+        files = [file for pattern in TESTS for file in sorted((ROOT / "tests").glob(pattern))]
         for measured in pool.map(self._measure, files):
             self.seconds |= measured["seconds"]
             for name, lines in measured["lines"].items():
@@ -132,8 +153,7 @@ class Copies(SimpleQueue[Path]):
         if name.endswith(".c"):
             compile_core(copy)
         self.put(copy)
-        before, after = (each.split("\n")[line].strip() for each in (source, changed))
-        print(f"{name}:{line + 1} {before} -> {after} [{noticed}]", flush=True)
+        print(f"{name}:{line + 1} {describe(place, source)} [{noticed}]", flush=True)
         return noticed
 
 
