@@ -7,7 +7,6 @@ reference's own: absolute coordinates, its own prediction, cost, Riccati solutio
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import ceil
-from typing import Any
 
 import daqp
 import numpy as np
@@ -19,7 +18,7 @@ from sim_core.speed.profile import SpeedProfile
 from tests.validation.reference.sampled import gauss, interval, mean_cost, regulator, weights
 from tests.validation.reference.vehicle import StateSpace, behind, state_space
 
-Array = NDArray[np.floating[Any]]
+Array = NDArray[np.float64]
 RUN_IN = 20.0  # the car starts in equilibrium this far behind the start [m]
 KILO = 1000.0
 
@@ -142,7 +141,7 @@ def drive(
         return np.stack([surface.height(x), surface.height(x - distance)], axis=-1)
 
     def seen(t: float) -> tuple[Array, Array]:
-        horizon: Array = t + Ts * np.arange(mpc.prediction_horizon + 1)
+        horizon = np.asarray(t + Ts * np.arange(mpc.prediction_horizon + 1), dtype=np.float64)
         if mpc.preview == "lookahead":
             return heights(horizon), braking(horizon[:-1] + Ts / 2)
         level = np.tile(heights(np.array([t])), (len(horizon), 1))
