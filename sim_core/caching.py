@@ -4,13 +4,15 @@ Results with a few small arrays of a fixed shape, such as a car's matrices, have
 (`small_cached`). Nobody can write into a cached array.
 """
 
-from collections import OrderedDict
 from collections.abc import Callable, Hashable, Iterable
+from contextlib import suppress
 from functools import cache, lru_cache, wraps
+from operator import itemgetter
 from threading import Lock
 from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
+from cachetools import LRUCache
 from cachetools.keys import hashkey
 from numpy.typing import NDArray
 
@@ -29,7 +31,7 @@ def _fields(kind: type) -> tuple[str, ...]:
 
 
 def arrays(value: Any) -> list[NDArray[Any]]:
-    """Itself, those in dataclasses, tuples and dictionaries; and the arrays that these are views of."""
+    """Return itself, those in dataclasses, tuples and dictionaries; and the arrays that these are views of."""
     collected: list[NDArray[Any]] = []
     parts = [value]
     for part in parts:  # which grow meanwhile
@@ -46,11 +48,6 @@ def arrays(value: Any) -> list[NDArray[Any]]:
             values = [getattr(part, name) for name in _fields(part.__class__)]
             parts += [each for each in values if each.__class__ not in _PLAIN]
     return collected
-
-
-def buffers(arrays: Iterable[NDArray[Any]]) -> dict[int, int]:
-    """Bytes of each buffer by its identity; a view counts as its whole base array, which it keeps alive."""
-    return {id(array): array.nbytes for array in arrays if not hasattr(array.base, "base")}
 
 
 def _make_read_only(arrays: Iterable[NDArray[Any]]) -> None:
@@ -82,16 +79,12 @@ def small_cached(entries: int) -> Callable[[Callable[P, T]], Callable[P, T]]:
 class Cache:
     """Least-recently-used cache of the results of pure functions, of at most so many bytes.
 
-    The arrays of an entry's arguments count as those of its result do, since it keeps both in memory; an array of
-    several entries counts once.
+    An entry counts what its function made: arrays of its arguments are those of earlier entries.
     """
 
     def __init__(self, max_bytes: int) -> None:
-        self._max_bytes = max_bytes
-        self._entries: OrderedDict[Hashable, tuple[Any, Any, dict[int, int]]] = OrderedDict()
-        self._references: dict[int, int] = {}
+        self._entries: LRUCache[Hashable, tuple[Any, int]] = LRUCache(max_bytes, getsizeof=itemgetter(1))
         self._lock = Lock()
-        self.size = 0
 
     def cached(self, function: Callable[P, T]) -> Callable[P, T]:
         """Cache its results; arguments must be hashable, and nobody can write into the arrays of either afterwards."""
@@ -101,52 +94,34 @@ class Cache:
             key = hashkey(function, *args, **kwargs)  # type: ignore[arg-type]  # whatever cannot be hashed fails here
             with self._lock:
                 entry = self._entries.get(key)
-                if entry is not None:
-                    self._entries.move_to_end(key)
-                    result: T = entry[0]
-                    return result
+            if entry is not None:
+                cached_result: T = entry[0]
+                return cached_result
             result = function(*args, **kwargs)
-            with self._lock:
-                self._put(key, result, (args, tuple(kwargs.values())))
+            given, made = arrays((args, tuple(kwargs.values()))), arrays(result)
+            _make_read_only([*given, *made])
+            own = {id(array): array.nbytes for array in made if not hasattr(array.base, "base")}  # no view
+            size = _ENTRY_OVERHEAD + sum(own[each] for each in own.keys() - set(map(id, given)))
+            with self._lock, suppress(ValueError):  # larger than the whole cache
+                self._entries[key] = result, size
             return result
 
         return lookup
 
+    @property
+    def size(self) -> int:
+        """How much is cached [bytes]."""
+        return int(self._entries.currsize)
+
     def results(self) -> list[Any]:
-        """All that is cached."""
+        """Return all that is cached."""
         with self._lock:
-            return [result for result, _, _ in self._entries.values()]
+            return [result for result, _ in self._entries.values()]
 
     def clear(self) -> None:
         """Forget everything."""
         with self._lock:
             self._entries.clear()
-            self._references.clear()
-            self.size = 0
-
-    def _put(self, key: Hashable, result: Any, arguments: Any) -> None:
-        shared = arrays((result, arguments))
-        _make_read_only(shared)
-        held = buffers(shared)
-        if sum(held.values()) + _ENTRY_OVERHEAD > self._max_bytes or key in self._entries:
-            return
-        self._entries[key] = result, arguments, held
-        self.size += _ENTRY_OVERHEAD
-        for buffer, size in held.items():
-            references = self._references.get(buffer, 0)
-            self._references[buffer] = references + 1
-            self.size += 0 if references else size
-        while self.size > self._max_bytes:
-            self._evict()
-
-    def _evict(self) -> None:
-        _, (_, _, held) = self._entries.popitem(last=False)
-        self.size -= _ENTRY_OVERHEAD
-        for buffer, size in held.items():
-            self._references[buffer] -= 1
-            if not self._references[buffer]:
-                del self._references[buffer]
-                self.size -= size
 
 
 SHARED = Cache(MAX_BYTES)

@@ -1,6 +1,6 @@
 """simulate(scenario, strategy): speed plan, road, controller and car step by step, and the metrics of the recording."""
 
-from sim_core.blas import one_thread
+from sim_core.blas import single_threaded
 from sim_core.control.controller import Controller
 from sim_core.errors import RidelabError
 from sim_core.loop.excitation import excite, step_sizes
@@ -14,10 +14,10 @@ from sim_core.speed.profile import make_speed_profile
 from sim_core.speed.stages import segments, spans
 from sim_core.strategies import controller_for, speed_plan_on
 
-_ANY_ROAD = Road(length=30, bump=Bump(start=20))
+_DUMMY_ROAD = Road(length=30, bump=Bump(start=20))
 
 
-@one_thread()
+@single_threaded
 def simulate(scenario: Scenario, strategy: str | type[Controller] | Controller) -> StrategyResult:
     """Drive one strategy over the scenario's road.
 
@@ -45,13 +45,13 @@ def simulate(scenario: Scenario, strategy: str | type[Controller] | Controller) 
     return evaluate(run, windows, recorder, run.drive(recorder))
 
 
-def on_any_road(scenario: Scenario) -> Scenario:
+def on_dummy_road(scenario: Scenario) -> Scenario:
     """Return the scenario on a short road, of which a controller depends on nothing but what is copied here.
 
     A Kalman filter depends on the roughness; every controller on how the axles meet the road.
     """
     read = {name: getattr(scenario.road, name) for name in ("roughness", "rear_axle")}
-    return scenario.model_copy(update={"road": _ANY_ROAD.model_copy(update=read)})
+    return scenario.model_copy(update={"road": _DUMMY_ROAD.model_copy(update=read)})
 
 
 def prepare(scenario: Scenario, strategy: str | type[Controller] | Controller) -> Run:

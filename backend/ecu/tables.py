@@ -35,7 +35,7 @@ def _body(calibration: Calibration) -> bytes:
         calibration.iterations,
         highest_code(calibration.bits),
     )
-    real = (calibration.command_step, calibration.slack_price, calibration.slack_yield)
+    real = (calibration.command_step, calibration.slack_price, calibration.inverse_slack_weight)
     head = struct.pack("<6i3f", *whole, *real)
     parts = [
         _single(part)
@@ -110,7 +110,7 @@ def tables_source(calibration: Calibration) -> str:
         "highest": str(highest_code(calibration.bits)),
         "command_step": _text(calibration.command_step),
         "slack_price": _text(calibration.slack_price),
-        "slack_yield": _text(calibration.slack_yield),
+        "inverse_slack_weight": _text(calibration.inverse_slack_weight),
         **{name: name for name in single},
         "axles": "axles",
         "effects": "{" + ", ".join(f"{stage}_effects" for stage in STAGES) + "}",

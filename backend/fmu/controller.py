@@ -9,7 +9,7 @@ from sim_core.control.cost import KILO
 from sim_core.control.law import LAW_INPUTS, LinearLaw
 from sim_core.ecu.channels import PREVIEW, SENSORS
 from sim_core.ecu.sources import SOURCES as ECU_SOURCES
-from sim_core.simulate import on_any_road, prepare
+from sim_core.simulate import on_dummy_road, prepare
 from sim_core.strategies import strategy_named
 from sim_core.strategies.lv import Lv
 from sim_core.strategies.lv_hil import LvHil
@@ -91,7 +91,7 @@ def controller_model(scenario: Scenario, strategy: str) -> Model:
         RidelabError: It has none that an FMU can hold, or the vehicle and weights admit none.
     """
     named = LvHil if strategy == Lv.id else strategy_named(strategy)
-    run = prepare(on_any_road(scenario), named)
+    run = prepare(on_dummy_road(scenario), named)
     setup = run.setup()
     if isinstance(run.controller, EcuController):
         return _program_model(run.controller, setup)

@@ -5,7 +5,7 @@ from typing import Any
 from backend.fmu.controller import state
 from backend.fmu.model import Model, Variable, sources
 from sim_core.kernel.build import FOLDER
-from sim_core.kernel.prepared import CAUSES, KEPT_STEPS, NUMBERS
+from sim_core.kernel.library import size_of
 from sim_core.scenario import Scenario, Vehicle
 from sim_core.vehicle.nonlinear import curves, substeps
 
@@ -73,7 +73,7 @@ def vehicle_model(scenario: Scenario) -> Model:
                 *(", ".join(map(repr, each)) for each in (curves(vehicle).tolist(), vehicle.lowered))
             ),
         },
-        sizes={"KEPT_STEPS": KEPT_STEPS, "KEPT_NUMBERS": 2 + CAUSES * NUMBERS},
+        sizes={"VEHICLE_NUMBERS": size_of("vehicle")},
         step=1e-3,
         notes=[_ROAD] if vehicle.damper_curves is None else [_ROAD, _DAMPERS],
     )

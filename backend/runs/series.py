@@ -7,6 +7,7 @@ import base64
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
+from itertools import pairwise
 from math import ceil
 from typing import Self
 
@@ -19,7 +20,6 @@ from backend.json_types import JsonObject
 from backend.outcome import Sampling
 from sim_core import Scenario, StrategyResult
 from sim_core.catalogue import BUMP, SIGNALS
-from sim_core.kernel.binding import sample_marker
 from sim_core.result import Series
 from sim_core.scenario.recorded import recording_id
 from sim_core.strategies import strategies, strategy_named
@@ -136,7 +136,11 @@ def shown_samples(
     table = np.array([(gap.start, gap.stride, gap.count) for gap in gaps], dtype=np.intc).reshape(-1, 3)
     missed = np.zeros(table[:, 1] @ table[:, 2], dtype=np.float32)
     extremes = np.zeros(count, dtype=np.uint8)
-    mark = sample_marker(windows, table, extremes, missed)
+
+    def mark(values: SeriesArray) -> None:
+        _mark_extremes(values, windows, extremes)
+        _add_missed(values, table, missed)
+
     shown[_peaks(signals, mark, extremes, bump)[:most_peaks]] = True
     spare = [_most_missed(gap, missed, shown) for gap in gaps]
     left = np.hstack([np.empty((2, 0)), *spare])
@@ -214,6 +218,43 @@ def _peaks(
     of_stages = np.flatnonzero(extremes)
     on_bump = (of_stages >= bump[0]) & (of_stages < bump[1])
     return list(dict.fromkeys([*of_run, *of_stages[on_bump].tolist(), *of_stages[~on_bump].tolist()]))
+
+
+def _mark_extremes(values: SeriesArray, windows: NDArray[np.intc], extremes: NDArray[np.uint8]) -> None:
+    """Mark the smallest and the largest sample of each window of one signal; NaN are passed over.
+
+    Args:
+        values: (samples,).
+        windows: First sample of each, and one after the last of all.
+        extremes: 1 where a sample is one (samples,).
+    """
+    for first, last in pairwise(windows.tolist()):
+        window = values[first:last]
+        places = window.argmin(), window.argmax()  # of the first NaN where there is one
+        if np.isnan(window[places[0]]) and not np.isnan(window).all():
+            places = np.nanargmin(window), np.nanargmax(window)
+        extremes[first + np.array(places)] = 1
+
+
+def _add_missed(values: SeriesArray, gaps: NDArray[np.intc], missed: NDArray[np.float32]) -> None:
+    """Raise each sample's miss to that of one signal: by how much of its span the line between two nodes misses it.
+
+    Args:
+        values: (samples,).
+        gaps: First sample, samples from one node to the next and gaps of each part (parts, 3).
+        missed: Of each sample of each gap; NaN are passed over.
+    """
+    span = np.fmax.reduce(values) - np.fmin.reduce(values)
+    done = 0
+    for start, stride, count in gaps.tolist():
+        ends, size = values[start : start + stride * count + 1 : stride], stride * count
+        share = np.arange(stride, dtype=np.float32) / np.float32(stride)
+        lines = ends[:-1, None] + np.diff(ends)[:, None] * share
+        away = lines.ravel()
+        np.abs(np.subtract(values[start : start + size], away, out=away), out=away)
+        away /= span if span > 0 else 1
+        np.fmax(missed[done : done + size], away, out=missed[done : done + size])
+        done += size
 
 
 def _most_missed(gaps: _Gaps, missed: NDArray[np.float32], shown: NDArray[np.bool_]) -> NDArray[np.float64]:

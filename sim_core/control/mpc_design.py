@@ -1,7 +1,7 @@
 """Design of the model predictive suspension control (Eq. 8-15 with the errata of docs/reference/errata.md).
 
 Everything that does not depend on the state is computed once and cached: the QP's matrices, and the law that solves it
-wherever no limit binds (the unconstrained optimum that meets every limit *is* the solution).
+wherever no limit binds (the unconstrained unconstrained_gain that meets every limit *is* the solution).
 """
 
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ class MpcDesign:
     """One stage's MPC.
 
     Attributes:
-        law: The unconstrained optimum's first force; its limits are the QP's `optimum`.
+        law: The unconstrained unconstrained_gain's first force; its limits are the QP's `unconstrained_gain`.
         qp: What decides where one of them binds.
         terms: Of the interval costs.
         force_change_weight: On the moves of the force [1/N²].
@@ -131,13 +131,15 @@ def design(terms: CostTerms, horizon: int, moves: int, force_limit: float, force
     linear = weighted[: len(p.x_parameters)].T @ p.x_parameters + end.T @ p.end_parameters
     linear[:, STATES:LAW_INPUTS] += change_previous / KILO
     linear[:, LAW_INPUTS:] += weighted[-DISTURBANCES * horizon :].T  # the preview is the last of z as it stands
-    optimum = -solve(H, linear)
+    unconstrained_gain = -solve(H, linear)
 
-    constraint_rows = np.vstack([optimum, CENTI * (p.travel_parameters + p.travel_moves @ optimum)])
+    constraint_rows = np.vstack(
+        [unconstrained_gain, CENTI * (p.travel_parameters + p.travel_moves @ unconstrained_gain)]
+    )
     bounds = np.repeat([force_limit / KILO, terms.deflection_limit * CENTI], [free, AXLES * horizon])
     law = LinearLaw(
-        gain=optimum[:FORCES, :LAW_INPUTS] * KILO,
-        preview_gain=np.ascontiguousarray(optimum[:FORCES, LAW_INPUTS:] * KILO),
+        gain=unconstrained_gain[:FORCES, :LAW_INPUTS] * KILO,
+        preview_gain=np.ascontiguousarray(unconstrained_gain[:FORCES, LAW_INPUTS:] * KILO),
         limits=constraint_rows / bounds[:, None],
     )
     assert law.limits is not None  # noqa: S101 - they are given
@@ -154,13 +156,13 @@ def design(terms: CostTerms, horizon: int, moves: int, force_limit: float, force
             columns=np.ascontiguousarray(p.rows.T),
             low=np.concatenate([-bounds[:free], no_slack]),
             high=np.concatenate([bounds[:free], no_slack + 1e4]),  # 100 m: no limit, but a finite one
-            by_inputs=np.vstack([2 * linear, p.travel_parameters * CENTI]),
-            optimum=law.limits,
+            linear_term_gain=np.vstack([2 * linear, p.travel_parameters * CENTI]),
+            unconstrained_gain=law.limits,
             bounds=bounds,
             axles=np.repeat(np.array([-1, 0, 1], dtype=np.int8), [free, horizon, horizon]),
             gram=(gram + gram.T) / 2,
             slack_price=SLACK_LINEAR / CENTI,
-            slack_yield=CENTI**2 / (2 * SLACK_QUADRATIC),
+            inverse_slack_weight=CENTI**2 / (2 * SLACK_QUADRATIC),
             iterations=MOST_ITERATIONS,
         ),
     )

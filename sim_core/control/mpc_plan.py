@@ -101,5 +101,5 @@ def _without(qp: QpDesign, rows: tuple[int, ...]) -> QpDesign:
         low=qp.low * moves,
         high=qp.high * moves,
         bounds=qp.bounds * wider,
-        optimum=qp.optimum / wider[:, np.newaxis],
+        unconstrained_gain=qp.unconstrained_gain / wider[:, np.newaxis],
     )

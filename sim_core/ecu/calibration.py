@@ -51,7 +51,7 @@ class Calibration:
         bounds: Limit of each row's magnitude (m,) [kN or cm].
         axles: Which slack softens a row: 0 front, 1 rear, FORCE_ROW none (m,).
         slack_price: Linear penalty of a slack [1/cm].
-        slack_yield: Inverse of its quadratic one, 1/H [cm²].
+        inverse_slack_weight: Inverse of its quadratic one, 1/H [cm²].
         stages: Tables by stage, in the order of channels.STAGES.
     """
 
@@ -68,7 +68,7 @@ class Calibration:
     bounds: FloatArray
     axles: tuple[int, ...]
     slack_price: float
-    slack_yield: float
+    inverse_slack_weight: float
     stages: tuple[StageTables, ...]
 
     @property
@@ -112,7 +112,7 @@ def calibrate(
         bounds=first.bounds[checked_rows],
         axles=tuple(first.axles[checked_rows].tolist()),
         slack_price=first.slack_price,
-        slack_yield=first.slack_yield,
+        inverse_slack_weight=first.inverse_slack_weight,
         stages=tuple(_tables(designs[stage], checked_rows) for stage in STAGES),
     )
 
@@ -126,6 +126,6 @@ def _rows_checked(free: int, intervals: int, checked: Checked) -> NDArray[np.int
 
 
 def _tables(design: MpcDesign, checked_rows: NDArray[np.intp]) -> StageTables:
-    rows = (design.qp.optimum * design.qp.bounds[:, None])[checked_rows]
+    rows = (design.qp.unconstrained_gain * design.qp.bounds[:, None])[checked_rows]
     rows[:, STATES : STATES + FORCES] *= KILO
     return StageTables(rows=rows, gram=design.qp.gram[np.ix_(checked_rows, checked_rows)])

@@ -44,7 +44,7 @@ class CompiledEcu(Ecu):
         self._codes = np.zeros(STATES + len(PREVIEW) * tables.preview_length, dtype=np.int32)
         self._answer, self._slack = np.zeros(_ANSWER, dtype=np.int32), np.zeros(1, dtype=np.float32)
         sizes = tables.intervals, tables.preview_length, rows, tables.predicts, tables.iterations
-        real = tables.command_step, tables.slack_price, tables.slack_yield
+        real = tables.command_step, tables.slack_price, tables.inverse_slack_weight
         vehicle = [part.ravel() for part in (tables.input_steps, tables.A, tables.B, tables.E)]
         self._step = _ecu_step.bind(  # kernel/ecu.c says what they hold
             np.array([*sizes, highest_code(tables.bits)], dtype=np.int32),

@@ -14,7 +14,7 @@ from math import inf, pi
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.blas import one_thread
+from sim_core.blas import single_threaded
 from sim_core.control.controller import Controller
 from sim_core.errors import RidelabError
 from sim_core.frequency.margins import Margins, margins
@@ -30,9 +30,9 @@ from sim_core.frequency.sampled_loop import (
 )
 from sim_core.matrices import gauss_legendre
 from sim_core.metrics.comfort import wk_gain
-from sim_core.road.profile import CUTOFF_FREQUENCY, REFERENCE_FREQUENCY
+from sim_core.road.profile import height_density
 from sim_core.scenario import Scenario
-from sim_core.simulate import on_any_road, prepare
+from sim_core.simulate import on_dummy_road, prepare
 from sim_core.vehicle.half_car import OUTPUTS, STATES, half_car
 from sim_core.vehicle.plant import continuous, plant
 
@@ -82,7 +82,7 @@ class FrequencyResult:
     reason: str | None = None
 
 
-@one_thread()
+@single_threaded
 def frequency_response(
     scenario: Scenario,
     strategy: str | type[Controller] | Controller,
@@ -114,7 +114,7 @@ def frequency_response(
     """
     if unknown := set(outputs) - set(RESPONSES):
         raise RidelabError(f"There is no response of {', '.join(sorted(unknown))}")
-    run, vehicle = prepare(on_any_road(scenario), strategy), scenario.real_vehicle
+    run, vehicle = prepare(on_dummy_road(scenario), strategy), scenario.real_vehicle
     planned = run.plan == "planned" and stage == "bump"
     speed = min(scenario.speed.initial, scenario.speed.target) if planned else scenario.speed.initial
     try:
@@ -212,12 +212,10 @@ def _road_in_step(loop: SampledLoop, omega: FloatArray, of_road: ComplexArray) -
 
 
 def _road_density(scenario: Scenario, frequencies: FloatArray, speed: float) -> FloatArray | None:
-    """One-sided density of the road's height over frequency [m²/Hz], that of ISO 8608 with the cut-off."""
+    """Return the one-sided density of the road's height over frequency [m²/Hz]; None for a measured road."""
     if scenario.road.profile is not None:
         return None
-    n = frequencies / speed
-    density = scenario.road.roughness * REFERENCE_FREQUENCY**2 / (n**2 + CUTOFF_FREQUENCY**2) / speed
-    return np.asarray(density)
+    return height_density(scenario.road.roughness, frequencies / speed) / speed
 
 
 def _band_nodes(loop: SampledLoop) -> tuple[FloatArray, FloatArray]:

@@ -11,7 +11,7 @@ from sim_core.control.law import LAW_INPUTS, LinearLaw
 from sim_core.ecu.controller import EcuController
 from sim_core.errors import RidelabError
 from sim_core.loop.run import Run
-from sim_core.road.sensed import expected_errors, trust
+from sim_core.road.sensed import expected_errors, wiener_filter
 from sim_core.scenario import Preview, Vehicle
 from sim_core.speed.profile import REACHED
 from sim_core.strategies import STRATEGIES
@@ -183,7 +183,7 @@ def previewed(loop: SampledLoop, mode: Preview, omega: FloatArray, steps: int) -
     if mode == "lookahead":
         mismatch, n = scenario.mismatch, omega / (2 * np.pi * v)
         factor = mismatch.preview_gain * np.sinc(n * mismatch.preview_resolution)
-        factor = factor * trust(n, scenario.road.roughness, expected_errors(scenario.mpc))
+        factor = factor * wiener_filter(n, scenario.road.roughness, expected_errors(scenario.mpc))
         sensed = factor[:, None] * np.exp(-s * (mismatch.preview_delay + mismatch.preview_offset / v))
         until = scenario.speed.detection_distance + REACHED
         seen[:, 0] = sensed * interval * (ends <= until)

@@ -18,11 +18,11 @@ from sim_core.control.controller import Controller
 from sim_core.control.law import LinearLaw
 from sim_core.frequency.responses import NEGLIGIBLE, modes
 from sim_core.frequency.sampled_loop import SampledLoop, sampled_loop
-from sim_core.loop.closed_loop import law_arrays
+from sim_core.loop.closed_loop import control_law_context
 from sim_core.loop.preview import Forecast
 from sim_core.scenario import Scenario, Vehicle
 from sim_core.scenario.damper import slopes_at_rest, straight
-from sim_core.simulate import on_any_road, prepare
+from sim_core.simulate import on_dummy_road, prepare
 from sim_core.vehicle.half_car import DISTURBANCES, STATES
 from sim_core.vehicle.make import make_vehicle
 
@@ -32,7 +32,7 @@ _STILL = np.zeros((2, _BLOCK + 1)), np.zeros(_BLOCK)  # road and braking
 _NO_PREVIEW = Forecast(
     disturbances=np.zeros((DISTURBANCES, _BLOCK, 0)),
     source=np.zeros(0),
-    sizes=np.zeros((1 + DISTURBANCES, _BLOCK)),
+    preview_norms=np.zeros((1 + DISTURBANCES, _BLOCK)),
     height_now=np.zeros((2, _BLOCK)),
 )
 
@@ -57,7 +57,7 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
         UnknownNameError: No such strategy.
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
-    run = prepare(on_any_road(scenario), strategy)
+    run = prepare(on_dummy_road(scenario), strategy)
     controller, setup = run.controller, run.setup()
     if controller.delayed or controller.dampers() is not None:
         return None
@@ -109,7 +109,7 @@ def _last_motion(loop: SampledLoop) -> float:
     car = make_vehicle(loop.vehicle, loop.run.actuator, step, 1, *_STILL, estimator=estimator)
     motion = np.ones((_BLOCK + 1, len(loop.closed)))
     law = LinearLaw(gain=loop.law.gain).design
-    follow = car.follow_law(law_arrays(_NO_PREVIEW, np.full(3, inf), clips=True), motion)
+    follow = car.follow_law(control_law_context(_NO_PREVIEW, np.full(3, inf), clips=True), motion)
     eigenvalues, vectors = np.linalg.eig(loop.closed)
     to_modes = np.linalg.pinv(vectors)[np.abs(eigenvalues) > NEGLIGIBLE].T
     blocks = ceil(_SETTLED / (step * _BLOCK))

@@ -6,7 +6,7 @@ from math import inf
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.blas import one_thread
+from sim_core.blas import single_threaded
 from sim_core.control.controller import Controller, linear_force
 from sim_core.control.law import LinearLaw
 from sim_core.control.plan import Limit, Plan
@@ -94,7 +94,7 @@ class Instant:
     why: str
 
 
-@one_thread()
+@single_threaded
 def instant(
     scenario: Scenario,
     strategy: str | type[Controller] | Controller,

@@ -5,18 +5,17 @@ Each function raises ValueError where sizes disagree, and ctypes.ArgumentError w
 float64, or cannot be written into. Calls that are made at every step are in prepared.py.
 """
 
-from collections.abc import Callable, Sequence
-from itertools import pairwise
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.library import DOUBLE, INT, NAME, Array, Function, Prepared, numbers_of, require
+from sim_core.kernel.library import DOUBLE, INT, NAME, Array, CStruct, Function, require, size_of
 from sim_core.kernel.record import LAYOUT
 
-_MOST_FUZZY_SETS, _DISTURBANCES = 20, 3
-_PLAN, _PLANNED_AT_ONCE = Array(numbers_of("plan")), 2048  # steps, of which most drives have fewer
+_MOST_FUZZY_SETS, _DISTURBANCES = size_of("fuzzy_sets"), size_of("disturbances")
+_PLAN, _PLANNED_AT_ONCE = Array(size_of("plan")), 2048  # steps, of which most drives have fewer
 _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
 _LINE_OUT, _TABLE_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2))
 _ROAD = _LINE, INT, Array(LAYOUT)
@@ -26,19 +25,12 @@ _prepare_rules = Function(
     "prepare_rules",
     *(*_VARIABLE, *_VARIABLE, Array(ndim=2, dtype=np.intc), INT, _TABLE, INT, INT, _TABLE_OUT, INT),
 )
-_torque_share = Function("torque_share", Prepared, DOUBLE, DOUBLE, result=DOUBLE)
-_plan_speed = Function("plan_speed", Prepared, _PLAN, Array(3, written=True), _TABLE_OUT, INT, result=INT)
+_torque_share = Function("torque_share", CStruct, DOUBLE, DOUBLE, result=DOUBLE)
+_plan_speed = Function("plan_speed", CStruct, _PLAN, Array(3, written=True), _TABLE_OUT, INT, result=INT)
 _roughness = Function("roughness", _LINE_OUT, INT, DOUBLE, DOUBLE, DOUBLE, result=DOUBLE)
 _road_heights = Function("road_heights", *_ROAD, Array(), INT, Array(written=True))
-_within_steps = Function("within_steps", *_ROAD, _TABLE, INT, _TABLE_OUT)
 _window_sizes = Function("window_sizes", _TABLE, INT, INT, _TABLE_OUT)
 _shape_number = Function("shape_number", NAME, result=INT)
-_WHOLE = Array(ndim=1, dtype=np.intc)
-_mark_samples = Function(
-    "mark_samples",
-    *(Array(ndim=1, dtype=np.float32), _WHOLE, INT, Array(ndim=2, dtype=np.intc), INT),
-    *(Array(ndim=1, dtype=np.uint8, written=True), Array(ndim=1, dtype=np.float32, written=True)),
-)
 
 
 def road_layout(first: float, grid: float, shape: str, bumps: Sequence[float]) -> FloatArray:
@@ -57,7 +49,7 @@ def fuzzy_rules(
     torques: FloatArray,
     *,
     interpolates: bool,
-) -> Prepared:
+) -> CStruct:
     """Rules (m, 3): the set of the distance and of the error, -1 for any, and of the torque.
 
     Args:
@@ -83,13 +75,13 @@ def fuzzy_rules(
     )
 
 
-def torque_share(rules: Prepared, error: float, distance: float) -> float:
+def torque_share(rules: CStruct, error: float, distance: float) -> float:
     """Torque share 0 to 1 at a speed error [km/h] and distance [m], both clipped to their universes."""
     share: float = _torque_share(rules, error, distance)
     return share
 
 
-def plan_speed(rules: Prepared, plan: FloatArray, position: float, speed: float) -> FloatArray:
+def plan_speed(rules: CStruct, plan: FloatArray, position: float, speed: float) -> FloatArray:
     """Position [m], speed [m/s], line pressure [Pa] and deceleration by the brakes [m/s^2] at each step (n, 4).
 
     Args:
@@ -123,42 +115,9 @@ def road_heights(samples: FloatArray, layout: FloatArray, position: FloatArray, 
     _road_heights(samples, len(samples), layout, position, position.size, height)
 
 
-def within_steps(samples: FloatArray, layout: FloatArray, position: FloatArray, within: FloatArray) -> None:
-    """Fill means and moments above chords (n, 4) [m] of the road between positions of both axles (2, n + 1) [m]."""
-    _check_road(samples)
-    steps = len(within)
-    require(position.shape == (2, steps + 1) and within.shape == (steps, 4), "Two axles, one position more than steps")
-    _within_steps(samples, len(samples), layout, position, steps, within)
-
-
 def window_sizes(previewed: FloatArray, horizon: int, sizes: FloatArray) -> None:
-    """Fill `LawArrays.sizes` (4, windows) of what is previewed (3, windows + horizon - 1)."""
+    """Fill `ControlLawContext.preview_norms` (4, windows) of what is previewed (3, windows + horizon - 1)."""
     kinds, count = previewed.shape
     require(kinds == _DISTURBANCES and 0 < horizon <= count, "A window of both roads and braking")
     require(sizes.shape == (1 + _DISTURBANCES, count - horizon + 1), "Four sizes of each window")
     _window_sizes(previewed, count, horizon, sizes)
-
-
-def sample_marker(
-    windows: NDArray[np.intc], parts: NDArray[np.intc], shown: NDArray[np.uint8], missed: NDArray[np.float32]
-) -> Callable[[NDArray[np.float32]], None]:
-    """What marks the samples (n,) of one signal after the other in `shown` (n,) and `missed` (m,), but for NaN.
-
-    Args:
-        windows: First sample of each, and one after the last of all.
-        parts: First sample, samples from one node to the next and gaps of each (parts, 3).
-        shown: 1 where a sample is a window's smallest or largest.
-        missed: Of each sample of each gap by how much of a signal's span the line between its nodes missed it at most.
-    """
-    ends, table, count = windows.tolist(), parts.tolist(), len(shown)
-    require(len(ends) > 1 and ends[0] >= 0 and ends[-1] <= count, "Windows lie within the samples")
-    require(all(first < last for first, last in pairwise(ends)), "Windows ascend, and each has a sample")
-    require(parts.shape[1:] == (3,), "A part has a first sample, a stride and gaps")
-    require(all(min(part) >= 0 and part[0] + part[1] * part[2] < count for part in table), "Parts lie within them")
-    require(sum(gaps * stride for _, stride, gaps in table) == len(missed), "Every sample of a gap is missed by a line")
-
-    def mark(values: NDArray[np.float32]) -> None:
-        require(len(values) == count, "Every sample is marked")
-        _mark_samples(values, windows, len(ends) - 1, parts, len(table), shown, missed)
-
-    return mark

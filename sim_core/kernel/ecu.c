@@ -8,7 +8,7 @@
 /* One step; RIDELAB_MISUSE where the tables or the stage are none, else 0.
 
    sizes      intervals, previewed, rows, predicts, iterations, highest
-   real       command_step, slack_price, slack_yield
+   real       command_step, slack_price, inverse_slack_weight
    vehicle    input_steps (11), a (8, 8), b (8, 2), e (8, 3)
    bounds, axles   (rows)
    effects    (stages, rows, 10 + 3 intervals)
@@ -24,7 +24,7 @@ int ridelab_ecu_step(const int32_t *sizes, const float *real, const float *vehic
     size_t rows = (size_t)sizes[2], columns = (size_t)(RIDELAB_STATES + RIDELAB_FORCES + RIDELAB_PREVIEWED * sizes[0]);
     ridelab_tables tables = {
         .intervals = sizes[0], .previewed = sizes[1], .rows = sizes[2], .predicts = sizes[3], .iterations = sizes[4],
-        .highest = sizes[5], .command_step = real[0], .slack_price = real[1], .slack_yield = real[2],
+        .highest = sizes[5], .command_step = real[0], .slack_price = real[1], .inverse_slack_weight = real[2],
         .input_steps = vehicle, .a = vehicle + 11, .b = vehicle + 75, .e = vehicle + 91, .bounds = bounds,
         .axles = axles,
     };

@@ -37,7 +37,7 @@ class Array:
         self._flags = _CONTIGUOUS | _ALIGNED | (_WRITEABLE if written else 0)
 
     def from_param(self, value: Any) -> Any:
-        """Where C finds the numbers of an array; `ctypes` calls it for each argument.
+        """Return a pointer to the array's data; `ctypes` calls it for each argument.
 
         Raises:
             TypeError: It is no such array.
@@ -55,7 +55,7 @@ class Array:
 
 
 def load(file: Path, expected: str | None) -> ctypes.CDLL:
-    """The library.
+    """Return the library.
 
     Args:
         file: The library.
@@ -76,12 +76,25 @@ def load(file: Path, expected: str | None) -> ctypes.CDLL:
     return library
 
 
+def text_of(name: str) -> str:
+    """Return a text that the library states."""
+    function = _LIBRARY[f"ridelab_{name}"]
+    function.restype = NAME
+    text: str = function().decode()
+    return text
+
+
+def size_of(name: str) -> int:
+    """Return a size that arrays have to have: how many numbers a struct of C has, or what else the library states."""
+    size: int = _LIBRARY[f"ridelab_size_of_{name}"]()
+    return size
+
+
 _LIBRARY = load(build.best(), build.digest() if build.SOURCES else None)
-_PREPARED_BYTES: int = _LIBRARY.ridelab_prepared_bytes()
-DIGEST: str = _LIBRARY.ridelab_digest().decode()  # SHA-256 of the C and of the flags it was compiled with
+DIGEST = text_of("digest")  # SHA-256 of the C and of the flags it was compiled with
 
 
-class Prepared:
+class CStruct:
     """What C has made of arrays, for many calls; it keeps them alive."""
 
     def __init__(self, memory: Any, values: tuple[Any, ...]) -> None:
@@ -90,23 +103,23 @@ class Prepared:
 
     @staticmethod
     def from_param(value: Any) -> Any:
-        """Where C finds it; `ctypes` calls this for each argument.
+        """Return the value itself; `ctypes` calls this for each argument.
 
         Raises:
             TypeError: It is no such thing.
         """
-        if not isinstance(value, Prepared):
+        if not isinstance(value, CStruct):
             raise TypeError("C takes here what it has prepared")
         return value
 
 
-class Optional(Prepared):
+class Optional(CStruct):
     """The type of an argument that may be None."""
 
     @staticmethod
     def from_param(value: Any) -> Any:
-        """As Prepared's; None is C's NULL."""
-        return None if value is None else Prepared.from_param(value)
+        """Return the value itself; None is C's NULL."""
+        return None if value is None else CStruct.from_param(value)
 
 
 class Function:
@@ -125,7 +138,7 @@ class Function:
         self._checked.restype = self._unchecked.restype = result
 
     def __call__(self, *values: Any) -> Any:
-        """Its result.
+        """Call it.
 
         Raises:
             ctypes.ArgumentError: An argument is of another type, shape or order, or cannot be written.
@@ -133,7 +146,7 @@ class Function:
         return self._checked(*values)
 
     def bind(self, *values: Any) -> Callable[..., Any]:
-        """The function of its last arguments, integers all, for many calls; the first ones are checked here.
+        """Return the function of its last arguments, integers all, for many calls; the first ones are checked here.
 
         Args:
             values: The first arguments, whose arrays are kept alive.
@@ -146,22 +159,16 @@ class Function:
         bound.values = values  # type: ignore[attr-defined]  # it takes any attribute
         return bound
 
-    def prepare(self, *values: Any) -> Prepared:
-        """What the function makes of these arguments, in memory that it takes before them.
+    def prepare(self, *values: Any) -> CStruct:
+        """Return what the function makes of these arguments, in memory that it takes before them.
 
         Raises:
             TypeError: An argument is of another type, shape or order, or cannot be written.
         """
-        memory = ctypes.create_string_buffer(_PREPARED_BYTES)
+        memory = ctypes.create_string_buffer(size_of("prepared"))
         arguments = [kind.from_param(value) for kind, value in zip(self._arguments, values, strict=True)]
         self._unchecked(memory, *arguments)
-        return Prepared(memory, values)
-
-
-def numbers_of(struct: str) -> int:
-    """Return how many numbers a struct of C has, of which Python hands over an array."""
-    count: int = Function(f"{struct}_numbers", result=INT)()
-    return count
+        return CStruct(memory, values)
 
 
 def require(agreed: bool, what: str) -> None:

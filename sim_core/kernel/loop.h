@@ -14,9 +14,9 @@ struct law_numbers {
 };
 
 /* What bounds GROUP rows of the limits: of each the gains on state and force, and the norms of its other parts on what
-   `sizes` measures; then the largest of these rows' norms. */
-struct screen {
-    double own[INPUTS][GROUP], norms[NORMS - 1][GROUP], most[NORMS];
+   `preview_norms` measures; then the largest of these rows' norms. */
+struct row_bounds {
+    double gains[INPUTS][GROUP], norms[NORMS - 1][GROUP], largest[NORMS];
 };
 
 /* u = gain [state; previous force; preview], where each of the limits' rows is between -1 and 1. */
@@ -24,16 +24,16 @@ struct law_design {
     int rows, horizon, columns; /* of the limits; steps previewed; INPUTS + 3 horizon */
     const double *gain;         /* 2 x columns */
     const double *limits;       /* rows x columns */
-    const double *scale;        /* INPUTS: of the state and the previous force, where `screens` have them together */
-    const struct screen *screens; /* of each GROUP rows */
+    const double *scale;        /* INPUTS: of the state and the previous force, where `bounds` have them together */
+    const struct row_bounds *bounds; /* of each GROUP rows */
 };
 
 /* What all laws of a run share. */
 struct run_inputs {
     const struct law_numbers *numbers;
-    const double *preview; /* both road velocities and the deceleration in each coming step */
-    const double *sizes;   /* 4 x steps: of the mean deceleration previewed, both velocities, its difference */
-    double *inputs;        /* that a law multiplies in the present step */
+    const double *preview;       /* both road velocities and the deceleration in each coming step */
+    const double *preview_norms; /* 4 x steps: of the mean deceleration previewed, both velocities, its difference */
+    double *inputs;              /* that a law multiplies in the present step */
 };
 
 /* A half-car on its road (car.c). */

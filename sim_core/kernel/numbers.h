@@ -5,7 +5,7 @@
 enum { STATE = 8, AXLES = 2, FORCES = 2, INPUTS = STATE + FORCES, DISTURBANCES = 3, NORMS = 5, GROUP = 8 };
 
 /* Before a short loop over numbers that do not depend on each other: gcc would unroll it before it sees that. */
-#define TWO_AT_ONCE _Pragma("GCC unroll 1")
+#define NO_UNROLL _Pragma("GCC unroll 1")
 
 /* Some sums beside each other: one alone would wait for each addition. */
 enum { TOGETHER = 8 };
@@ -27,12 +27,13 @@ static inline double dot(const double *a, const double *b, int count)
     return total(sum);
 }
 
-/* A function that says how many numbers a struct has of which Python makes the array, so that Python states none. */
-#define RIDELAB_NUMBERS_OF(name)                            \
-    int ridelab_##name##_numbers(void)                      \
-    {                                                       \
-        return (int)(sizeof(struct name) / sizeof(double)); \
+/* A function that returns a size of Python's arrays, so that Python states none; and one of a struct's numbers. */
+#define RIDELAB_SIZE(name, size)        \
+    int ridelab_size_of_##name(void)    \
+    {                                   \
+        return (int)(size);             \
     }
+#define RIDELAB_NUMBERS_OF(name) RIDELAB_SIZE(name, sizeof(struct name) / sizeof(double))
 
 /* Bytes that are enough for a law or a car of any kind. */
 enum { RIDELAB_PREPARED = 2048 };

@@ -10,16 +10,14 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.library import DOUBLE, INT, Array, Function, Optional, Prepared, numbers_of, require
+from sim_core.kernel.library import DOUBLE, INT, Array, CStruct, Function, Optional, require, size_of
 from sim_core.kernel.qp import Qp
-from sim_core.kernel.record import LAYOUT, SIGNALS, Recorder
+from sim_core.kernel.record import SIGNALS, Recorder
 
-CAR, ESTIMATOR = numbers_of("vehicle"), numbers_of("estimator")
-_LAW_NUMBERS, _SIZES = numbers_of("law_numbers"), 4  # the latter are magnitudes of what is previewed
-_GROUP = 8  # rows of limits that loop.h looks at together
-CAUSES, NUMBERS, KEPT_STEPS = 20, 10, 16  # of `struct linear_step` in car.c, and how many are kept
-_LINEAR_STEP = numbers_of("linear_step")
-_STATES, _LAGGING, _FORCES, _LAW_INPUTS, _DISTURBANCES, _MEASURED = 8, 10, 2, 10, 3, 4
+CAR, ESTIMATOR, _LAW_NUMBERS = map(size_of, ("vehicle", "estimator", "law_numbers"))
+_STATES, _FORCES, _DISTURBANCES = map(size_of, ("state", "forces", "disturbances"))
+CAUSES, NUMBERS, _MEASURED = map(size_of, ("causes", "lagging_state", "measured"))
+_LAW_INPUTS, _GROUP = _STATES + _FORCES, size_of("bounded_rows")
 _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
 _LINE_OUT, _TABLE_OUT, _LINES_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2, 3))
 
@@ -27,21 +25,21 @@ _prepare_law_design = Function("prepare_law_design", INT, INT, _TABLE, _TABLE, A
 _prepare_run_inputs = Function("prepare_run_inputs", Array(_LAW_NUMBERS), Array(), _TABLE, _LINE_OUT)
 _prepare_car = Function(
     "prepare_car",
-    *(Array(CAR), INT, INT, _TABLE_OUT, INT, Array(ESTIMATOR), _TABLE),
-    *(INT, _LINE, Array(LAYOUT), _TABLE, _TABLE, _TABLE, _LINE, INT, INT, INT, DOUBLE, Optional),
+    *(Array(CAR), INT, INT, Array(CAUSES, NUMBERS), INT, Array(ESTIMATOR), _TABLE),
+    *(_TABLE, _LINE, INT, INT, INT, DOUBLE, Optional),
 )
-_sample = Function("sample", Prepared, _TABLE, INT, INT, _TABLE_OUT, _LINES_OUT)
+_sample = Function("sample", CStruct, _TABLE, INT, INT, _TABLE_OUT, _LINES_OUT)
 _follow_law = Function(
     "follow_law",
-    *(Prepared, Prepared, _TABLE_OUT, Array(1, dtype=np.intc, written=True)),
-    *(Prepared, Optional, Optional, INT, INT),
+    *(CStruct, CStruct, _TABLE_OUT, Array(1, dtype=np.intc, written=True)),
+    *(CStruct, Optional, Optional, INT, INT),
     result=INT,
 )
 _limit_force = Function(
     "limit_force", Array(3), Array(_FORCES), Array(_FORCES), Array(_FORCES, written=True), result=INT
 )
-_advance = Function("advance", Prepared, _TABLE_OUT, INT)
-_measure = Function("measure", Prepared, INT, _LINE, Array(_FORCES), Array(_MEASURED, written=True))
+_advance = Function("advance", CStruct, _TABLE_OUT, INT)
+_measure = Function("measure", CStruct, INT, _LINE, Array(_FORCES), Array(_MEASURED, written=True))
 
 
 def limit_force(limits: FloatArray, wanted: FloatArray, previous: FloatArray, command: FloatArray) -> bool:
@@ -71,20 +69,20 @@ class LawDesign:
 
     gain: FloatArray
     limits: FloatArray
-    prepared: Prepared = field(init=False, repr=False)
+    prepared: CStruct = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         """Check the arrays and hand them to C."""
         (rows, inputs), horizon = self.limits.shape, self.horizon
         require(inputs == _LAW_INPUTS + _DISTURBANCES * horizon and horizon >= 0, "Limits on everything the law knows")
         require(self.gain.shape == (_FORCES, inputs), "A gain for everything the law knows")
-        arrays = self.gain, self.limits, *self._screens(horizon)
+        arrays = self.gain, self.limits, *self._row_bounds(horizon)
         for each in arrays:
             each.flags.writeable = False  # a law is shared by runs
         object.__setattr__(self, "prepared", _prepare_law_design.prepare(rows, horizon, *arrays))
 
-    def _screens(self, horizon: int) -> tuple[FloatArray, FloatArray]:
-        """`scale` (10,) and `screens` (groups, 117) of loop.h.
+    def _row_bounds(self, horizon: int) -> tuple[FloatArray, FloatArray]:
+        """`scale` (10,) and `bounds` (groups, 117) of loop.h.
 
         The norms of each row's parts are of that on state and force in units that make their largest gain 1, on the
         mean deceleration, on both road velocities, and on the deceleration's difference from its mean.
@@ -114,14 +112,14 @@ class LawDesign:
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class LawArrays:
+class ControlLawContext:
     """What the laws of control of one run share, as loop.h has it.
 
     Attributes:
         horizon: Control steps that are previewed.
         preview: An array with all that is previewed.
         strides: How many numbers further the next kind of disturbance and the next control step are in it.
-        sizes: Magnitudes of what is previewed in each step, for the last four of the norms (4, steps).
+        preview_norms: Magnitudes of what is previewed in each step, for the last four of the norms (4, steps).
         force_limits: As `limit_force` has them (3,).
         clips: Whether a force beyond the limit is clipped, or not decided by a law.
     """
@@ -129,29 +127,29 @@ class LawArrays:
     horizon: int
     preview: FloatArray
     strides: tuple[int, int]
-    sizes: FloatArray
+    preview_norms: FloatArray
     force_limits: FloatArray
     clips: bool
 
-    def prepared(self) -> Prepared:
+    def prepared(self) -> CStruct:
         """What C gets.
 
         Raises:
             ValueError: Sizes disagree.
         """
-        steps, (kind, step), horizon = self.sizes.shape[1], self.strides, self.horizon
+        steps, (kind, step), horizon = self.preview_norms.shape[1], self.strides, self.horizon
         beyond = (_DISTURBANCES - 1) * kind + (steps - 1) * step + horizon
-        require(len(self.sizes) == _SIZES, "Four magnitudes in each step")
+        require(len(self.preview_norms) == 1 + _DISTURBANCES, "Four magnitudes in each step")
         fits = min(kind, step, horizon) >= 0 and (beyond <= self.preview.size or not horizon)
         require(fits, "What is previewed in every step")
         numbers = np.array([kind, step, steps, self.clips, *self.force_limits], dtype=np.float64)
         inputs = np.empty(_LAW_INPUTS + _DISTURBANCES * horizon)
-        return _prepare_run_inputs.prepare(numbers, self.preview, self.sizes, inputs)
+        return _prepare_run_inputs.prepare(numbers, self.preview, self.preview_norms, inputs)
 
     @property
     def steps(self) -> int:
         """Control steps of the run."""
-        return len(self.sizes[0])
+        return len(self.preview_norms[0])
 
 
 FollowLaw = Callable[[LawDesign, Qp | None, int, int], tuple[int, int]]
@@ -164,15 +162,14 @@ class DrivenCar:
     its estimate (8,) comes before them, so that p begins with what a controller acts on.
 
     Args:
-        vehicle: (121,), as `struct vehicle` of car.c has them.
+        vehicle: As `struct vehicle` of car.c has them.
         states: 8, or 10 with a lagging actuator's.
-        effects: A linear car's fine step (20, 10), as `struct linear_step` has it; None of another.
+        effects: What each cause alone makes of rest in a linear car's fine step, as car.c has it (15, 10); None of
+            another.
         steps: Control steps of the drive.
         fine: Fine steps in each.
-        estimator: (112,), as `struct estimator` has them; None without one.
+        estimator: As `struct estimator` has them; None without one.
         estimator_input: What is fed to it beforehand (steps, 8); of no steps without one.
-        road: Its samples (m,) [m] and layout (9,), the positions (2, n + 1) [m] of both axles at the ends of all fine
-            steps, means and moments above chords (n, 4) [m]; None where the road is straight within a fine step.
         height: Of the road under both axles at the ends of all fine steps (2, n + 1) [m].
         braking: Deceleration in each fine step (n,) [m/s^2].
         substeps: Of Runge-Kutta in a fine step.
@@ -193,7 +190,6 @@ class DrivenCar:
         fine: int,
         estimator: FloatArray | None,
         estimator_input: FloatArray,
-        road: tuple[FloatArray, FloatArray, FloatArray, FloatArray] | None,
         height: FloatArray,
         braking: FloatArray,
         substeps: int,
@@ -201,31 +197,20 @@ class DrivenCar:
         recorder: Recorder | None,
     ) -> None:
         all_fine, linear, estimates = steps * fine, effects is not None, estimator is not None
-        require(states in (_STATES, _LAGGING), "A state of 8 or 10 numbers")
+        require(states in (_STATES, NUMBERS), "A state of 8 or 10 numbers")
         require(min(steps, fine, substeps) > 0 and fine_step > 0, "A step or more")
         require(height.shape == (2, all_fine + 1) and len(braking) == all_fine, "Road and braking in every fine step")
-        effects_by_step = np.zeros((1 if linear else KEPT_STEPS, _LINEAR_STEP))
-        if effects is not None:
-            require(effects.shape == (CAUSES, NUMBERS), "A linear step")
-            effects_by_step[0, 1], effects_by_step[0, 2:] = fine_step, effects.ravel()
         require(not estimates or estimator_input.shape == (steps, _STATES), "The estimator's input in every step")
         on_record = recorder is None or (recorder.fine, recorder.steps) == (fine, steps)
         require(on_record, "A recorder of this drive")
-        samples, layout, position, within = road or (np.empty(0), np.zeros(LAYOUT), np.empty((0, 0)), np.empty((0, 0)))
-        if road is not None:
-            require(len(samples) > 1 and not linear, "A road has two samples at least; to a linear car it is straight")
-            require(
-                position.shape == (2, all_fine + 1) and within.shape == (all_fine, 4), "The road of every fine step"
-            )
         self._prepared = _prepare_car.prepare(
-            *(vehicle, states, int(linear), effects_by_step),
+            *(vehicle, states, int(linear), np.empty((CAUSES, NUMBERS)) if effects is None else effects),
             *(int(estimates), np.zeros(ESTIMATOR) if estimator is None else estimator, estimator_input),
-            *(len(samples), samples, layout, position, within),
             *(height, braking, steps, fine, substeps, fine_step, recorder and recorder.prepared),
         )
         self.size, self._steps, self.fine = states + (_STATES if estimates else 0), steps, fine
 
-    def follow_law(self, shared: LawArrays, loop: FloatArray) -> FollowLaw:
+    def follow_law(self, shared: ControlLawContext, loop: FloatArray) -> FollowLaw:
         """Drive it by laws.
 
         Args:

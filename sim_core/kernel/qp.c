@@ -27,9 +27,9 @@ struct qp {
     const double *H;            /* n x n, n = moves + 2 */
     const double *columns;      /* of A y <= b, n x 2 travels: travel's upper limits, then its lower ones */
     const double *low, *high;   /* n */
-    const double *by_inputs;    /* (moves + travels) x inputs: f but for the slacks, then travel without forces */
-    const double *optimum;      /* likewise: moves and travel where no limit binds, each over its bound */
-    ridelab_tables tables;      /* bounds, axles and gram of `optimum` times its bounds */
+    const double *linear_term_gain; /* (moves + travels) x inputs: f but for the slacks, then travel without forces */
+    const double *unconstrained_gain; /* likewise: moves and travel where no limit binds, each over its bound */
+    ridelab_tables tables;      /* bounds, axles and gram of `unconstrained_gain` times its bounds */
     double fixed, each;         /* about the time of a QP, and of one iteration [s]; the same on every machine */
 };
 
@@ -43,22 +43,20 @@ struct qp_run {
 };
 
 RIDELAB_NUMBERS_OF(qp_counts)
-
-int ridelab_dual_bytes(void)
-{
-    return (int)sizeof(ridelab_dual);
-}
+RIDELAB_SIZE(dual, sizeof(ridelab_dual))
+RIDELAB_SIZE(moves, RIDELAB_MOST_ACTIVE - 2 * AXLES)
 
 /* The arguments as the structs have them. */
 void ridelab_prepare_qp(struct qp *me, int moves, int travels, int inputs, const double *H, const double *columns,
-                        const double *low, const double *high, const double *by_inputs, const double *optimum,
+                        const double *low, const double *high, const double *linear_term_gain,
+                        const double *unconstrained_gain,
                         const double *bounds, const int8_t *axles, const double *gram, double slack_price,
-                        double slack_yield, int iterations)
+                        double inverse_slack_weight, int iterations)
 {
     _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a QP is prepared in memory of that size");
-    *me = (struct qp){moves, travels, inputs, H, columns, low, high, by_inputs, optimum,
+    *me = (struct qp){moves, travels, inputs, H, columns, low, high, linear_term_gain, unconstrained_gain,
                       {.rows = moves + travels, .iterations = iterations, .slack_price = slack_price,
-                       .slack_yield = slack_yield, .bounds = bounds, .axles = axles, .gram = {gram}},
+                       .inverse_slack_weight = inverse_slack_weight, .bounds = bounds, .axles = axles, .gram = {gram}},
                       1.5e-9 * (moves + travels) * inputs, 5e-10 * (moves + travels) * (moves + AXLES)};
 }
 
@@ -116,7 +114,7 @@ double ridelab_residual(const struct qp *qp, struct qp_run *me)
 /* Make it the QP of a control step, by what the law multiplies then: f and b. */
 void ridelab_pose_qp(const struct qp *qp, struct qp_run *me, const double *inputs)
 {
-    const double *row = qp->by_inputs;
+    const double *row = qp->linear_term_gain;
     for (int i = 0; i < qp->moves; i++, row += qp->inputs)
         me->f[i] = dot(row, inputs, qp->inputs);
     for (int axle = 0; axle < AXLES; axle++)
@@ -128,7 +126,7 @@ void ridelab_pose_qp(const struct qp *qp, struct qp_run *me, const double *input
     }
 }
 
-/* y and multipliers from the values at the optimum and the limits that bind there. */
+/* y and multipliers from the values at the unconstrained optimum and the limits that bind there. */
 static void read_answer(const struct qp *qp, struct qp_run *me, const double *values)
 {
     int n = qp->moves + AXLES;
@@ -157,7 +155,7 @@ int ridelab_solve_qp(const struct qp *qp, struct qp_run *me, const double *input
 {
     double *values = me->work;
     for (int i = 0; i < qp->tables.rows; i++)
-        values[i] = qp->tables.bounds[i] * dot(qp->optimum + (ptrdiff_t)qp->inputs * i, inputs, qp->inputs);
+        values[i] = qp->tables.bounds[i] * dot(qp->unconstrained_gain + (ptrdiff_t)qp->inputs * i, inputs, qp->inputs);
     int32_t flags = ridelab_dual_solve(me->dual, &qp->tables, qp->tables.gram[0], values);
     me->counts->spent += qp->fixed + qp->each * me->dual->iterations;
     if (flags & RIDELAB_UNFINISHED)

@@ -6,13 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.library import DOUBLE, INT, Array, Function, Prepared, numbers_of, require
+from sim_core.kernel.library import DOUBLE, INT, Array, CStruct, Function, require, size_of
 
-_FORCES, _AXLES = 2, 2
-_MOST_MOVES = 200  # that C has memory for
+_FORCES, _AXLES = size_of("forces"), 2
+_MOST_MOVES = size_of("moves")  # that C has memory for
 _LINE, _TABLE, _LINE_OUT = Array(ndim=1), Array(ndim=2), Array(ndim=1, written=True)
-_COUNTS = Array(numbers_of("qp_counts"), written=True)
-_DUAL_BYTES: int = Function("dual_bytes", result=INT)()
+_COUNTS = Array(size_of("qp_counts"), written=True)
+_DUAL_BYTES = size_of("dual")
 _prepare_qp = Function(
     "prepare_qp",
     *(INT, INT, INT, _TABLE, _TABLE, _LINE, _LINE, _TABLE, _TABLE, _LINE, Array(ndim=1, dtype=np.int8), _TABLE),
@@ -21,9 +21,9 @@ _prepare_qp = Function(
 _prepare_qp_run = Function(
     "prepare_qp_run", _COUNTS, *[_LINE_OUT] * 5, Array(_DUAL_BYTES, dtype=np.uint8, written=True)
 )
-_pose_qp = Function("pose_qp", Prepared, Prepared, _LINE)
-_solve_qp = Function("solve_qp", Prepared, Prepared, _LINE, Array(_FORCES, written=True), result=INT)
-_residual = Function("residual", Prepared, Prepared, result=DOUBLE)
+_pose_qp = Function("pose_qp", CStruct, CStruct, _LINE)
+_solve_qp = Function("solve_qp", CStruct, CStruct, _LINE, Array(_FORCES, written=True), result=INT)
+_residual = Function("residual", CStruct, CStruct, result=DOUBLE)
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -39,13 +39,13 @@ class QpDesign:
         columns: Those of A (n, rows); two rows for each deflection.
         low: (n,).
         high: (n,).
-        by_inputs: The linear term but for the slacks, then the deflections without a force (values, inputs).
-        optimum: The values where no limit binds, each over its bound (values, inputs).
+        linear_term_gain: The linear term but for the slacks, then the deflections without a force (values, inputs).
+        unconstrained_gain: The values where no limit binds, each over its bound (values, inputs).
         bounds: Those bounds (values,).
         axles: Whose slack softens a bound: 0 front, 1 rear, -1 none (values,).
-        gram: How a multiplier of one value moves the others (values, values).
+        gram: A H⁻¹ Aᵀ of the values: how a multiplier of one moves the others (values, values).
         slack_price: Linear penalty of a slack [1/cm].
-        slack_yield: Inverse of its quadratic one, 1/H [cm²].
+        inverse_slack_weight: Inverse of its quadratic one, 1/H [cm²].
         iterations: Most of the dual method in one QP.
         prepared: All of it, as C has it.
 
@@ -57,29 +57,29 @@ class QpDesign:
     columns: FloatArray
     low: FloatArray
     high: FloatArray
-    by_inputs: FloatArray
-    optimum: FloatArray
+    linear_term_gain: FloatArray
+    unconstrained_gain: FloatArray
     bounds: FloatArray
     axles: NDArray[np.int8]
     gram: FloatArray
     slack_price: float
-    slack_yield: float
+    inverse_slack_weight: float
     iterations: int
-    prepared: Prepared = field(init=False, repr=False)
+    prepared: CStruct = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         """Check the arrays and hand them to C."""
-        (n, rows), (values, inputs) = self.columns.shape, self.by_inputs.shape
+        (n, rows), (values, inputs) = self.columns.shape, self.linear_term_gain.shape
         moves, travels = n - _AXLES, rows // 2
         require(0 < moves <= _MOST_MOVES and rows == 2 * travels, "Moves, and two limits of each deflection")
         require(self.H.shape == (n, n) and len(self.low) == len(self.high) == n, "A number for each unknown")
-        fits = self.optimum.shape == (values, inputs) and self.gram.shape == (values, values)
+        fits = self.unconstrained_gain.shape == (values, inputs) and self.gram.shape == (values, values)
         require(fits and values == moves + travels, "Every move and deflection by every input")
         require(len(self.bounds) == len(self.axles) == values, "A bound and an axle for each move and deflection")
         require(bool((self.axles < _AXLES).all()), "There are two axles")
-        arrays = self.H, self.columns, self.low, self.high, self.by_inputs, self.optimum
+        arrays = self.H, self.columns, self.low, self.high, self.linear_term_gain, self.unconstrained_gain
         by_value = self.bounds, self.axles, self.gram
-        numbers = self.slack_price, self.slack_yield, self.iterations
+        numbers = self.slack_price, self.inverse_slack_weight, self.iterations
         object.__setattr__(self, "prepared", _prepare_qp.prepare(moves, travels, inputs, *arrays, *by_value, *numbers))
 
     @property
@@ -111,13 +111,13 @@ class QpMemory:
         self.prepared = _prepare_qp_run.prepare(self.counts, self.f, self.b, self.y, self.multipliers, *work)
         self._force = np.empty(_FORCES)
 
-    def both(self, design: QpDesign, inputs: int) -> tuple[Prepared, Prepared]:
+    def both(self, design: QpDesign, inputs: int) -> tuple[CStruct, CStruct]:
         """Those of a driving stage and this, for C.
 
         Raises:
             ValueError: Sizes disagree, also with the number of the law's inputs.
         """
-        fits = design.columns.shape == self._size and design.by_inputs.shape[1] == inputs
+        fits = design.columns.shape == self._size and design.linear_term_gain.shape[1] == inputs
         require(fits, "A law, its QP and its memory of one size")
         return design.prepared, self.prepared
 
@@ -136,7 +136,7 @@ class QpMemory:
         strictly convex QP zero means optimal (Boyd and Vandenberghe 2004, 5.5.3). Each row of the gradient is judged by
         its own linear term: a slack's price, a thousand times a force's, would excuse any force.
         """
-        violation: float = _residual(*self.both(design, design.by_inputs.shape[1]))
+        violation: float = _residual(*self.both(design, design.linear_term_gain.shape[1]))
         return violation
 
 

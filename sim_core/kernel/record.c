@@ -10,7 +10,7 @@
 #include "loop.h"
 #include "road.h"
 
-static const double NEAR = 1e-3; /* of a fine step: a kink met so near to a section's end is met at it */
+static const double KINK_MARGIN = 1e-3; /* of a fine step: a kink met so near to a section's end is met at it */
 
 /* Wk in modes, pairs of a complex number that a step multiplies by `onward` and to which the samples at its beginning and
    its end add; twice the sum of their real parts is the weighted acceleration. */
@@ -19,13 +19,16 @@ struct weighting {
     double onward[2][MODES], begin[2][MODES], end[2][MODES];
 };
 
-/* What is found beside the signals' integrals and peaks. Times in fine steps. */
-struct found {
-    double power, most_power;              /* of both actuators: its integral, its peak [W] */
-    double airborne[1 + AXLES];            /* of any tyre, of the front one, of the rear one */
-    double on_stops;                       /* either suspension on its bump stops */
-    double weighted_squares, weighted_fourths; /* sums over samples */
-    double modes[2][MODES];                /* of the weighting, at present */
+/* What is summed beside the signals' integrals and peaks, by the names of `Sums` in sim_core/metrics/definition.py; times
+   in fine steps. Then the weighting's modes, at present. */
+#define TOTALS(TOTAL) \
+    TOTAL(power) TOTAL(peak_power) TOTAL(airborne) TOTAL(front_airborne) TOTAL(rear_airborne) TOTAL(on_stops) \
+    TOTAL(weighted_squares) TOTAL(weighted_fourths)
+#define DECLARED(name) double name;
+#define NAMED(name) #name " "
+struct totals {
+    TOTALS(DECLARED)
+    double modes[2][MODES];
 };
 
 /* All numbers, as they come from outside; arrays of two are of the front and the rear axle. */
@@ -40,9 +43,9 @@ struct record_numbers {
 struct recorder {
     const struct record_numbers *numbers;
     const double *ends;         /* sections x 2: first and last place, in fine steps from the record's first sample */
-    const double *rise;         /* how far the road leaves a chord in each section at most [m] */
+    const double *max_chord_deviation; /* how far the road leaves a chord in each section at most [m] */
     double *integrals, *peaks;  /* sections x METRICS, the integrals in fine steps */
-    struct found *found;
+    struct totals *totals;
     const struct weighting *weighting;
     double (*samples)[SIGNALS]; /* fine + 1 of the present control step */
     double *work;               /* fine + 1 */
@@ -66,7 +69,7 @@ static const double OF_PRODUCT[METRICS] = {THIRD, THIRD, 0, 0, 0, 0, 0, 0};
 static void under_command(double (*restrict sample)[SIGNALS], int fine, double *restrict integrals, double *restrict peaks)
 {
     for (int step = 0; step < fine; step++)
-        TWO_AT_ONCE
+        NO_UNROLL
         for (int i = 0; i < METRICS; i++) {
             double a = sample[step][ACCELERATION + i], b = sample[step + 1][ACCELERATION + i];
             integrals[i] += OF_SQUARES[i] * (a * a + b * b) + OF_PRODUCT[i] * (a * b);
@@ -112,12 +115,13 @@ static void add_power(struct recorder *me, double last)
         const double *sample = me->samples[i];
         me->work[i] = fabs(sample[FORCE_SIGNAL] * sample[SPEED]) + fabs(sample[FORCE_SIGNAL + 1] * sample[SPEED + 1]);
     }
-    me->found->power += trapezoids(me->work, last, &me->found->most_power);
+    me->totals->power += trapezoids(me->work, last, &me->totals->peak_power);
 }
 
 /* Time with a tyre off the road, or pulling on it where it cannot lift off. */
 static void add_airborne(struct recorder *me, double last)
 {
+    double *times[1 + AXLES] = {&me->totals->airborne, &me->totals->front_airborne, &me->totals->rear_airborne};
     for (int kind = 0; kind <= AXLES; kind++) {
         double most = 0;
         for (int i = 0; i <= (int)me->numbers->fine; i++) {
@@ -125,7 +129,7 @@ static void add_airborne(struct recorder *me, double last)
             int front = load[0] <= airborne[0], rear = load[1] <= airborne[1];
             me->work[i] = kind == 0 ? front | rear : kind == 1 ? front : rear;
         }
-        me->found->airborne[kind] += trapezoids(me->work, last, &most);
+        *times[kind] += trapezoids(me->work, last, &most);
     }
 }
 
@@ -142,13 +146,13 @@ static void add_on_stops(struct recorder *me, double last)
         const double *travel = me->samples[i] + TRAVEL_SIGNAL;
         me->work[i] = is_on_stop(me->numbers, 0, travel[0]) || is_on_stop(me->numbers, 1, travel[1]);
     }
-    me->found->on_stops += trapezoids(me->work, last, &most);
+    me->totals->on_stops += trapezoids(me->work, last, &most);
 }
 
 /* A step of the weighting's modes, real and imaginary parts, from sample a to b. */
 static void weigh(const struct weighting *restrict by, double a, double b, double *restrict re, double *restrict im)
 {
-    TWO_AT_ONCE
+    NO_UNROLL
     for (int i = 0; i < MODES; i++) {
         double x = re[i], y = im[i];
         re[i] = (by->begin[0][i] * a + by->end[0][i] * b) + (by->onward[0][i] * x - by->onward[1][i] * y);
@@ -159,11 +163,11 @@ static void weigh(const struct weighting *restrict by, double a, double b, doubl
 /* So many of its samples through the weighting. */
 static void add_weighted(struct recorder *me, int samples)
 {
-    double *re = me->found->modes[0], *im = me->found->modes[1];
+    double *re = me->totals->modes[0], *im = me->totals->modes[1];
     for (int step = 0; step < samples; step++) {
         double weighted = 2 * ((re[0] + re[1]) + (re[2] + re[3])), square = weighted * weighted;
-        me->found->weighted_squares += square;
-        me->found->weighted_fourths += square * square;
+        me->totals->weighted_squares += square;
+        me->totals->weighted_fourths += square * square;
         weigh(me->weighting, me->samples[step][ACCELERATION], me->samples[step + 1][ACCELERATION], re, im);
     }
 }
@@ -203,13 +207,13 @@ static void raise_at_kinks(struct recorder *me, int section, int begin, const do
 {
     int fine = (int)me->numbers->fine;
     double first = me->ends[2 * section], last = me->ends[2 * section + 1];
-    double from = first > NEAR ? first - NEAR : 0, to = last + NEAR;
+    double from = first > KINK_MARGIN ? first - KINK_MARGIN : 0, to = last + KINK_MARGIN;
     if (begin > to || begin + fine < from)
         return;
     for (int axle = 0; axle < AXLES; axle++) {
         int signal = LOAD - ACCELERATION + axle, inside = begin >= first && begin + fine <= last;
         double *peak = me->peaks + METRICS * section + signal;
-        if (inside && highest[signal] < *peak - me->numbers->stiffness[axle] * me->rise[section])
+        if (inside && highest[signal] < *peak - me->numbers->stiffness[axle] * me->max_chord_deviation[section])
             continue;
         for (int step = 0; step < fine; step++)
             *peak = at_kinks(me, axle, begin + step, from, to, me->samples[step][LOAD + axle],
@@ -255,17 +259,24 @@ void ridelab_record(struct recorder *me, int step)
 }
 
 RIDELAB_NUMBERS_OF(record_numbers)
-RIDELAB_NUMBERS_OF(found)
+RIDELAB_NUMBERS_OF(totals)
 RIDELAB_NUMBERS_OF(weighting)
+RIDELAB_SIZE(sample, SIGNALS)
+RIDELAB_SIZE(metrics, METRICS)
+
+const char *ridelab_total_names(void)
+{
+    return TOTALS(NAMED);
+}
 
 /* The arguments as the struct has them. */
 void ridelab_prepare_recorder(struct recorder *me, const struct record_numbers *numbers, const double *ends,
-                              const double *rise, double *integrals, double *peaks, struct found *found,
+                              const double *max_chord_deviation, double *integrals, double *peaks, struct totals *totals,
                               const struct weighting *weighting, double (*samples)[SIGNALS], double *work,
                               const double *roughness, int road_samples, const struct layout *layout,
                               const double *position, const double *height, const double *kinks)
 {
     _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a recorder is prepared in memory of that size");
-    *me = (struct recorder){numbers, ends, rise, integrals, peaks, found, weighting, samples, work,
+    *me = (struct recorder){numbers, ends, max_chord_deviation, integrals, peaks, totals, weighting, samples, work,
                             ridelab_road(roughness, road_samples, layout), position, height, kinks};
 }

@@ -6,18 +6,18 @@ from math import isfinite
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.library import INT, Array, Function, Prepared, numbers_of, require
+from sim_core.kernel.library import INT, Array, CStruct, Function, require, size_of, text_of
 
-LAYOUT, WEIGHTING = numbers_of("layout"), numbers_of("weighting")
-SIGNALS, _METRICS = 10, 8  # numbers of a sample, as record.h has them; those with a metric
-_RECORD, _FOUND = numbers_of("record_numbers"), numbers_of("found")
+LAYOUT, WEIGHTING, _RECORD, _TOTALS = map(size_of, ("layout", "weighting", "record_numbers", "totals"))
+SIGNALS, _METRICS = size_of("sample"), size_of("metrics")  # numbers of a sample; those with a metric
+_TOTAL_NAMES = text_of("total_names").split()
 _LINE, _TABLE, _TABLE_OUT = Array(ndim=1), Array(ndim=2), Array(ndim=2, written=True)
 _prepare_recorder = Function(
     "prepare_recorder",
-    *(Array(_RECORD), _TABLE, _LINE, _TABLE_OUT, _TABLE_OUT, Array(_FOUND, written=True), Array(WEIGHTING)),
+    *(Array(_RECORD), _TABLE, _LINE, _TABLE_OUT, _TABLE_OUT, Array(_TOTALS, written=True), Array(WEIGHTING)),
     *(_TABLE_OUT, Array(ndim=1, written=True), _LINE, INT, Array(LAYOUT), _TABLE, _TABLE, _LINE),
 )
-_record = Function("record", Prepared, INT)
+_record = Function("record", CStruct, INT)
 
 
 class Recorder:
@@ -30,7 +30,7 @@ class Recorder:
         fine: Fine steps in a step of the car.
         first: Its first step on record.
         ends: First and last place of each section (sections, 2), ascending; together they are the whole record.
-        rise: How far the road leaves a chord in each section at most (sections,) [m].
+        max_chord_deviation: How far the road leaves a chord in each section at most (sections,) [m].
         weighted_samples: Samples of which the acceleration is weighted.
         weighting: `struct weighting` of record.c (24,).
         tyres: Of both axles their stiffness [N/m], lowest load and that at which they are in the air [N] (3, 2).
@@ -56,7 +56,7 @@ class Recorder:
         fine: int,
         first: int,
         ends: FloatArray,
-        rise: FloatArray,
+        max_chord_deviation: FloatArray,
         weighted_samples: int,
         weighting: FloatArray,
         tyres: FloatArray,
@@ -77,19 +77,31 @@ class Recorder:
             tyres.shape == (3, 2) and clearance.shape == (2, 2), "Two tyres, and two suspensions with stops either way"
         )
         require(0 <= first < self.steps, "A record within the drive")
-        require(ends.shape == (sections, 2) and len(rise) == sections > 0, "Every section has two ends and a rise")
+        require(
+            ends.shape == (sections, 2) and len(max_chord_deviation) == sections > 0,
+            "Every section has two ends and a deviation",
+        )
         on_record = fine * (self.steps - first)
         places = [0, *ends.ravel().tolist(), on_record]
         require(all(a <= b for a, b in pairwise(places)), "Sections ascend within the record")
         require(weighted_samples <= on_record + 1, "No sample beyond the record is weighted")
         self.integrals, self.peaks = np.zeros((sections, _METRICS)), np.zeros((sections, _METRICS))
-        self._found = np.zeros(_FOUND)
+        self._totals = np.zeros(_TOTALS)
         self.samples = np.empty((fine + 1, SIGNALS))
         self.prepared = _prepare_recorder.prepare(
             np.array(
                 [fine, first, sections, weighted_samples, instants, *tyres.flat, *clearance.flat], dtype=np.float64
             ),
-            *(ends, rise, self.integrals, self.peaks, self._found, weighting, self.samples, np.empty(fine + 1)),
+            *(
+                ends,
+                max_chord_deviation,
+                self.integrals,
+                self.peaks,
+                self._totals,
+                weighting,
+                self.samples,
+                np.empty(fine + 1),
+            ),
             *(samples, len(samples), layout, position, height, kinks),
         )
 
@@ -103,22 +115,6 @@ class Recorder:
         _record(self.prepared, step)
 
     @property
-    def power(self) -> tuple[float, float]:
-        """Of both actuators |u·ḋ|: its integral [W] and its peak [W]."""
-        return float(self._found[0]), float(self._found[1])
-
-    @property
-    def airborne(self) -> list[float]:
-        """For how long any tyre was in the air, the front one, the rear one."""
-        airborne: list[float] = self._found[2:5].tolist()
-        return airborne
-
-    @property
-    def on_stops(self) -> float:
-        """For how long either suspension was on its bump stops."""
-        return float(self._found[5])
-
-    @property
-    def weighted(self) -> tuple[float, float]:
-        """Sums of the weighted acceleration's squares and fourth powers over the samples."""
-        return float(self._found[6]), float(self._found[7])
+    def totals(self) -> dict[str, float]:
+        """What was summed beside integrals and peaks, by the names that record.c and `Sums` have for it."""
+        return dict(zip(_TOTAL_NAMES, self._totals.tolist(), strict=False))

@@ -1,5 +1,4 @@
-/* The road: its roughness, its bumps, its height, and how far it leaves a straight line within a fine step
-   (sim_core/road/profile.py). */
+/* The road: its roughness, its bumps and its height (sim_core/road/profile.py). */
 
 #include <math.h>
 #include <stddef.h>
@@ -8,7 +7,7 @@
 #include "numbers.h"
 #include "road.h"
 
-enum { PARTS = 4 }; /* of a fine step on a bump */
+enum shape { COSINE, HALF_SINE, CIRCULAR, FLAT_TOP, TRAPEZOID, KERB, SHAPES };
 
 static const double PI = 3.14159265358979323846;
 
@@ -84,46 +83,4 @@ void ridelab_road_heights(const double *roughness, int samples, const struct lay
     const struct road road = ridelab_road(roughness, samples, layout);
     for (int i = 0; i < n; i++)
         height[i] = ridelab_road_height(&road, position[i]);
-}
-
-/* Where the slope changes by k, at distances a and b from the ends, that adds -k a b / (2 (a + b)) to
-   the mean and -k a b (a - b) / (12 (a + b)^2) to the moment. The bumps are judged at `PARTS` - 1 places in between
-   (Simpson). */
-double ridelab_above_chord(const struct road *road, double begin, double end, double *moment)
-{
-    double length = end - begin, all = *moment = 0;
-    if (!(length > 0))
-        return 0;
-    double per_length = 1 / length, first = (begin - road->at.first) * road->cells;
-    int last = (int)between(0, first + length * road->cells, road->samples - 2);
-    for (int i = (int)between(0, first, road->samples) + 1; i <= last; i++) {
-        const double *z = road->roughness + i;
-        double a = road->at.first + i * road->at.grid - begin, b = length - a;
-        double mean = -(z[1] - 2 * z[0] + z[-1]) * (road->cells / 2) * (a * b * per_length);
-        all += mean;
-        *moment += mean * (a - b) * (per_length / 6);
-    }
-    if (end > road->at.bump.start && begin < road->at.bump.until) {
-        double first = ridelab_bump_height(&road->at.bump, begin), rise = ridelab_bump_height(&road->at.bump, end) - first;
-        for (int part = 1; part < PARTS; part++) {
-            double share = (double)part / PARTS, weight = (part % 2 ? 4.0 : 2.0) / (3 * PARTS);
-            double mean = weight * (ridelab_bump_height(&road->at.bump, begin + length * share) - first - rise * share);
-            all += mean;
-            *moment += mean * (share - 0.5);
-        }
-    }
-    return all;
-}
-
-/* position  of both axles at every fine instant, 2 x (steps + 1) [m]
-   within    steps x 4: how far both roads lie above their chords on average, then their first moments [m] */
-void ridelab_within_steps(const double *roughness, int samples, const struct layout *layout, const double *position,
-                          int steps, double *within)
-{
-    const struct road road = ridelab_road(roughness, samples, layout);
-    const double *rear = position + steps + 1;
-    for (int i = 0; i < steps; i++, within += 4) {
-        within[0] = ridelab_above_chord(&road, position[i], position[i + 1], within + 2);
-        within[1] = ridelab_above_chord(&road, rear[i], rear[i + 1], within + 3);
-    }
 }

@@ -2,8 +2,6 @@
 #ifndef RIDELAB_ROAD_H
 #define RIDELAB_ROAD_H
 
-enum shape { COSINE, HALF_SINE, CIRCULAR, FLAT_TOP, TRAPEZOID, KERB, SHAPES };
-
 /* All numbers, as they come from outside. */
 struct bump {
     double shape, count, start, height, width, spacing;
@@ -48,9 +46,5 @@ static inline double ridelab_road_height(const struct road *road, double positio
         height += ridelab_bump_height(&road->at.bump, position);
     return height;
 }
-
-/* How far the road lies above its chord between two positions, on average [m]; `moment` is its first moment about the
-   middle, per length [m]. */
-double ridelab_above_chord(const struct road *road, double begin, double end, double *moment);
 
 #endif

@@ -183,6 +183,7 @@ static double demanded(const struct plan *me, const struct rules *rules, double 
 }
 
 RIDELAB_NUMBERS_OF(plan)
+RIDELAB_SIZE(fuzzy_sets, MOST_SETS)
 
 /* Position [m], speed [m/s], line pressure [Pa] and deceleration by the brakes [m/s^2] at the beginnings of steps, at most so
    many; how many there are. `now` has the first three, then those after the last step; the position is infinite once the

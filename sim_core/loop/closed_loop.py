@@ -15,7 +15,7 @@ from sim_core.control.controller import Controller
 from sim_core.control.law import LinearLaw
 from sim_core.control.seen import RunInputs, Seen
 from sim_core.errors import ForceError, RefusedError
-from sim_core.kernel.prepared import DrivenCar, FollowLaw, LawArrays, limit_force
+from sim_core.kernel.prepared import ControlLawContext, DrivenCar, FollowLaw, limit_force
 from sim_core.loop.preview import Forecast
 from sim_core.speed.stages import Segment
 from sim_core.vehicle.half_car import FORCES
@@ -68,7 +68,9 @@ class ClosedLoop:
                 raise RefusedError(f"{self._controller.label}: linear_law gives a LinearLaw or None")
             if law.design.horizon not in (0, self._forecast.disturbances.shape[2]):
                 raise RefusedError("A linear law has three columns for each control step that is previewed")
-            follow = follow or self._car.follow_law(law_arrays(self._forecast, self._force_limits, clips=clips), loop)
+            follow = follow or self._car.follow_law(
+                control_law_context(self._forecast, self._force_limits, clips=clips), loop
+            )
             qp = self._controller.qp(segment.stage)
             while k < segment.last:
                 k, shaped = follow(law.design, qp, k, segment.last)
@@ -90,7 +92,7 @@ class ClosedLoop:
         return limited or self._controller.report.limited_steps > counted
 
 
-def law_arrays(forecast: Forecast, force_limits: FloatArray, *, clips: bool) -> LawArrays:
+def control_law_context(forecast: Forecast, force_limits: FloatArray, *, clips: bool) -> ControlLawContext:
     """What a run's laws share.
 
     Args:
@@ -99,11 +101,11 @@ def law_arrays(forecast: Forecast, force_limits: FloatArray, *, clips: bool) -> 
         clips: Whether a force beyond the limit is clipped, or not decided by the law.
     """
     kind, step, _ = (stride // forecast.disturbances.itemsize for stride in forecast.disturbances.strides)
-    return LawArrays(
+    return ControlLawContext(
         horizon=forecast.disturbances.shape[2],
         preview=forecast.source,
         strides=(kind, step),
-        sizes=forecast.sizes,
+        preview_norms=forecast.preview_norms,
         force_limits=force_limits,
         clips=clips,
     )

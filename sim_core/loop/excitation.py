@@ -12,13 +12,12 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.control.controller import Controller
-from sim_core.kernel import binding
-from sim_core.road.profile import GRID, RoadProfile, RoadUnderAxles, detail, road_profile
+from sim_core.road.profile import GRID, RoadProfile, detail, road_profile
 from sim_core.scenario import Road, Scenario
 from sim_core.speed.profile import SPEED_CONTROL_PERIOD, SpeedPlan, SpeedProfile
 
 FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
-ON_STOP = 2e-4  # longest fine step of a car that rests on a stop: each small motion meets the kink of its force [s]
+NONLINEAR = 1.5  # so many times as short is a nonlinear car's: it amplifies what a straight road leaves out
 SHORT_STEP = 1e-3  # longest step in which a delayed controller's commands may arrive [s]
 
 
@@ -102,10 +101,10 @@ def step_sizes(scenario: Scenario, controller: type[Controller] | Controller, pl
 def longest_fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool) -> float:
     """Longest fine step [s]: 60 over the bump (or its two ramps), 0.1 rad of the wheels, a grid step of the road, 1 ms.
 
-    Between the ends of a fine step the road is taken as linear and the car exact, so the road's curvature and the
-    sampling of peaks need it short; tests/validation holds metrics against steps of 0.02 ms. The bump counts at the
-    initial speed, the rough road at the speed that is held for long, with lagging actuators at the initial speed too:
-    without jumps of the force the peaks lie where the road's slope changes.
+    Between the ends of a fine step the road is taken as straight, so its curvature and the sampling of peaks need it
+    short; tests/validation holds metrics against steps of 0.02 ms. The bump counts at the initial speed, the rough road
+    at the speed that is held for long, with lagging actuators at the initial speed too: without jumps of the force the
+    peaks lie where the road's slope changes.
     """
     vehicle, bump, speed = scenario.real_vehicle, scenario.road.bump, scenario.speed
     stop = 0.0 if vehicle.bump_stop_clearance is None else vehicle.bump_stop_stiffness
@@ -119,9 +118,10 @@ def longest_fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool) ->
     if plan == "planned" and not lagging:
         held = min(held, speed.target)
     over_grid = COARSEST if scenario.road.is_smooth else GRID / held
-    rests_on_stop = min(min(each) for each in vehicle.stop_clearances) < 0
-    longest = ON_STOP if rests_on_stop else COARSEST
-    return min(longest, max(FINEST, min(0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)))
+    if min(min(each) for each in vehicle.stop_clearances) < 0:
+        return FINEST  # it rests on a stop: each small motion meets the kink of its force
+    longest = min(COARSEST, max(FINEST, min(0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)))
+    return longest if vehicle.linear else longest / NONLINEAR
 
 
 @cached
@@ -147,15 +147,6 @@ def excite(road: Road, rear_axle_offset: float, speed_profile: SpeedProfile, ste
         height=height,
         series=grid.series | {"front_road": front, "rear_road": rear},
     )
-
-
-@cached
-def under_axles(excitation: Excitation) -> RoadUnderAxles:
-    """The road itself within each fine step, in which a linear car takes it as straight."""
-    surface, position = excitation.surface, excitation.grid.axles
-    within = np.empty((position.shape[1] - 1, 4))
-    binding.within_steps(surface.roughness, surface.layout, position, within)
-    return RoadUnderAxles(surface=surface, position=position, within=within)
 
 
 @cached

@@ -32,14 +32,14 @@ class Forecast:
         disturbances: Mean velocity of the front axle's road in each interval, the rear's [m/s], and the braking
             deceleration [m/s^2] (3, steps, horizon); perhaps a view.
         source: A C-contiguous array that begins with the first step's, and of which `disturbances` may be a view.
-        sizes: Of each step's the mean deceleration's magnitude [m/s^2], then the norms of both velocities and of the
-            deceleration's difference from its mean (4, steps).
+        preview_norms: Of each step's the mean deceleration's magnitude [m/s^2], then the norms of both velocities and
+            of the deceleration's difference from its mean (4, steps).
         height_now: Of the road under both axles, as it is previewed (2, steps) [m].
     """
 
     disturbances: FloatArray
     source: FloatArray
-    sizes: FloatArray
+    preview_norms: FloatArray
     height_now: FloatArray
 
 
@@ -64,11 +64,11 @@ def preview(
         distance = scenario.speed.detection_distance
         return _by_sensors(surface, speed_profile, excitation.grid, horizon, rear_axle_offset, mismatch, distance)
     if mode == "wheelbase":
-        disturbances, sizes = _behind_the_front(excitation, speed_profile, horizon, rear_axle_offset)
+        disturbances, preview_norms = _behind_the_front(excitation, speed_profile, horizon, rear_axle_offset)
     else:
-        disturbances, sizes = _level(excitation.grid, speed_profile, horizon)
+        disturbances, preview_norms = _level(excitation.grid, speed_profile, horizon)
     height_now = excitation.height[:, : -1 : excitation.grid.fine]
-    return Forecast(disturbances=disturbances, source=disturbances, sizes=sizes, height_now=height_now)
+    return Forecast(disturbances=disturbances, source=disturbances, preview_norms=preview_norms, height_now=height_now)
 
 
 def sliding_forecast(disturbances: FloatArray, horizon: int, height_now: FloatArray) -> Forecast:
@@ -80,12 +80,12 @@ def sliding_forecast(disturbances: FloatArray, horizon: int, height_now: FloatAr
         height_now: As `Forecast`'s.
     """
     windows, (kind, step) = disturbances.shape[1] - horizon + 1, disturbances.strides
-    sizes = np.empty((1 + DISTURBANCES, windows))
-    binding.window_sizes(disturbances, horizon, sizes)
+    preview_norms = np.empty((1 + DISTURBANCES, windows))
+    binding.window_sizes(disturbances, horizon, preview_norms)
     return Forecast(
         disturbances=np.ndarray((DISTURBANCES, windows, horizon), buffer=disturbances, strides=(kind, step, step)),
         source=disturbances,
-        sizes=sizes,
+        preview_norms=preview_norms,
         height_now=height_now,
     )
 
@@ -124,12 +124,14 @@ def _within_sight(forecast: Forecast, axles: FloatArray, seen_until: FloatArray)
         axles: Where they take both axles to be at every control instant to come (2, n + 1) [m].
         seen_until: The furthest place that they see at each control step (steps,) [m].
     """
-    horizon, sizes = forecast.disturbances.shape[2], forecast.sizes.copy()
+    horizon, preview_norms = forecast.disturbances.shape[2], forecast.preview_norms.copy()
     ends = np.lib.stride_tricks.sliding_window_view(axles[:, 1:], horizon, axis=1)
     disturbances = np.array(forecast.disturbances)
     disturbances[:2] *= ends <= seen_until[:, None]
-    sizes[1:3] = np.linalg.norm(disturbances[:2], axis=2)
-    return Forecast(disturbances=disturbances, source=disturbances, sizes=sizes, height_now=forecast.height_now)
+    preview_norms[1:3] = np.linalg.norm(disturbances[:2], axis=2)
+    return Forecast(
+        disturbances=disturbances, source=disturbances, preview_norms=preview_norms, height_now=forecast.height_now
+    )
 
 
 @cached
@@ -146,7 +148,7 @@ def _sensed_places(
 
 @cached
 def _level(grid: TimeGrid, speed_profile: SpeedProfile, horizon: int) -> tuple[FloatArray, FloatArray]:
-    """`Forecast.disturbances` and `sizes` of a level road; braking stays as it is."""
+    """`Forecast.disturbances` and `preview_norms` of a level road; braking stays as it is."""
     braking = speed_profile.sample(speed_profile.braking, grid.time[:-1])
     disturbances = np.zeros((DISTURBANCES, len(braking), horizon))
     disturbances[2] = braking[:, None]
@@ -158,13 +160,13 @@ def _level(grid: TimeGrid, speed_profile: SpeedProfile, horizon: int) -> tuple[F
 def _behind_the_front(
     excitation: Excitation, speed_profile: SpeedProfile, horizon: int, rear_axle_offset: float
 ) -> tuple[FloatArray, FloatArray]:
-    """`Forecast.disturbances` and `sizes` where the rear axle meets the road that the front one has passed."""
+    """`Forecast.disturbances` and `preview_norms` where the rear axle meets the road that the front one has passed."""
     grid, surface = excitation.grid, excitation.surface
-    level, level_sizes = _level(grid, speed_profile, horizon)
-    disturbances, sizes = level.copy(), level_sizes.copy()
+    level, level_norms = _level(grid, speed_profile, horizon)
+    disturbances, preview_norms = level.copy(), level_norms.copy()
     further = grid.speed[:, None] * grid.step * np.arange(horizon + 1)
     driven = further[:, 1:] <= rear_axle_offset
     heights = surface.height(grid.position[:, None] - rear_axle_offset + np.minimum(further, rear_axle_offset))
     disturbances[1] = np.where(driven, np.diff(heights, axis=1) / grid.step, 0.0)
-    sizes[2] = np.linalg.norm(disturbances[1], axis=1)
-    return disturbances, sizes
+    preview_norms[2] = np.linalg.norm(disturbances[1], axis=1)
+    return disturbances, preview_norms

@@ -16,14 +16,14 @@ from sim_core.kernel.prepared import DrivenCar
 from sim_core.kernel.record import Recorder
 from sim_core.loop.closed_loop import ClosedLoop, Trajectory
 from sim_core.loop.delayed_loop import DelayedLoop
-from sim_core.loop.excitation import Excitation, StepSizes, under_axles
+from sim_core.loop.excitation import Excitation, StepSizes
 from sim_core.loop.preview import Forecast, preview
 from sim_core.result import Span
 from sim_core.scenario import Actuator, Preview, Scenario
 from sim_core.speed.profile import SpeedPlan, SpeedProfile
 from sim_core.speed.stages import Segment
 from sim_core.vehicle.estimator import make_estimator, sensor_noise
-from sim_core.vehicle.make import is_linear, make_vehicle
+from sim_core.vehicle.make import make_vehicle
 from sim_core.vehicle.model import Estimator, SemiActiveDampers
 
 
@@ -189,18 +189,16 @@ class Run:
 
     def car(self, recorder: Recorder | None = None) -> DrivenCar:
         """The car on its road, and what measures its drive."""
-        scenario, dampers = self.scenario, run_dampers(self.scenario, self.controller)
-        vehicle, excitation = scenario.real_vehicle, self.excitation
+        scenario, excitation = self.scenario, self.excitation
         return make_vehicle(
-            vehicle,
+            scenario.real_vehicle,
             self.actuator,
             excitation.grid.fine_step,
             self.steps.fine // self.steps.short,
             excitation.height,
             excitation.braking,
             estimator=self.estimator(),
-            dampers=dampers,
-            road=None if is_linear(vehicle, dampers) else under_axles(excitation),
+            dampers=run_dampers(scenario, self.controller),
             recorder=recorder,
         )
 

@@ -38,7 +38,9 @@ class Sums:
         weighted_step: Time between them [s].
         power: Integral of |u·ḋ|, summed over both axles [W].
         peak_power: Its peak [W].
-        airborne: For how long any tyre was off the road, the front one, the rear one.
+        airborne: For how long any tyre was off the road.
+        front_airborne: For how long the front one was.
+        rear_airborne: For how long the rear one was.
         on_stops: For how long either suspension was on its bump stops.
     """
 
@@ -52,7 +54,9 @@ class Sums:
     weighted_step: float
     power: float
     peak_power: float
-    airborne: Sequence[float]
+    airborne: float
+    front_airborne: float
+    rear_airborne: float
     on_stops: float
 
 
@@ -106,16 +110,15 @@ def drive_events(sums: Sums, metrics: ByWindow, scenario: Scenario) -> dict[str,
 
     The others tell of a controller, which a recording does not have.
     """
-    any_tyre, front, rear = (1000 * sums.time_unit * time for time in sums.airborne)
-    whole = metrics["whole"]
+    milliseconds, whole = 1000 * sums.time_unit, metrics["whole"]
     travel = float(np.max([whole[f"{axle}_deflection"]["peak"] for axle in ("front", "rear")]))  # NaN if either is
     complete = scenario.bump_left <= scenario.road.length and not isnan(sums.durations[1])
     over = max(0.0, travel - scenario.mpc.deflection_limit) * 1000
     return {
-        "airborne_ms": any_tyre,
-        "front_airborne_ms": front,
-        "rear_airborne_ms": rear,
-        "stop_contact_ms": 1000 * sums.time_unit * sums.on_stops,
+        "airborne_ms": milliseconds * sums.airborne,
+        "front_airborne_ms": milliseconds * sums.front_airborne,
+        "rear_airborne_ms": milliseconds * sums.rear_airborne,
+        "stop_contact_ms": milliseconds * sums.on_stops,
         "bump_complete": complete if scenario.road.has_bump else None,
         "travel_exceeded_mm": None if isnan(travel) else over,
     }

@@ -70,20 +70,14 @@ def evaluate(run: Run, windows: Windows, recorder: Recorder, recording: Recordin
 def _sums(run: Run, windows: Windows, recorder: Recorder) -> Sums:
     """Return what was summed while a run was driven; its unit of time is the fine step."""
     grid = run.excitation.grid
-    (squares, fourths), (power, peak_power) = recorder.weighted, recorder.power
     return Sums(
         time_unit=grid.fine_step,
         durations=(windows.ends[:, 1] - windows.ends[:, 0]).tolist(),
         squares=recorder.integrals,
         peaks=recorder.peaks,
-        weighted_squares=squares,
-        weighted_fourths=fourths,
         weighted_samples=len(grid.series["time"]),
         weighted_step=grid.fine_step,
-        power=power,
-        peak_power=peak_power,
-        airborne=recorder.airborne,
-        on_stops=recorder.on_stops,
+        **recorder.totals,
     )
 
 

@@ -22,7 +22,7 @@ def make_recorder(run: Run, windows: Windows) -> Recorder:
         fine=grid.fine // short,
         first=grid.run_in_steps * short,
         ends=windows.ends,
-        rise=np.array([beside, on_bump, beside]) * windows.step_distance / 4,  # of the road above a chord, at most
+        max_chord_deviation=np.array([beside, on_bump, beside]) * windows.step_distance / 4,
         weighted_samples=len(grid.series["time"]),
         weighting=weighting(grid.fine_step),
         tyres=np.array([[vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness], least, lifted]),

@@ -76,7 +76,7 @@ def sampled_sums(
         weighted_step=step,
         power=power,
         peak_power=peak_power,
-        airborne=_airborne(time, table, whole, static),
+        **_airborne(time, table, whole, static),
         on_stops=_on_stops(time, table, whole, clearances),
     )
 
@@ -168,14 +168,15 @@ def _parabola(x: FloatArray, y: FloatArray, at: FloatArray) -> FloatArray:
     return total
 
 
-def _airborne(time: FloatArray, table: FloatArray, span: TimeSpan | None, static: TimeSpan) -> tuple[float, ...]:
+def _airborne(time: FloatArray, table: FloatArray, span: TimeSpan | None, static: TimeSpan) -> dict[str, float]:
     """Return for how long any tyre, the front and the rear one was without the load that it has at rest [s]."""
+    names = "airborne", "front_airborne", "rear_airborne"
     if span is None:
-        return nan, nan, nan
+        return dict.fromkeys(names, nan)
     at, rows = _clip_to_span(time, table, span)
     loads = rows[[_ROWS["front_tyre_load"], _ROWS["rear_tyre_load"]]]
     off = np.where(np.isnan(loads), nan, loads <= -AIRBORNE_SHARE * np.array(static)[:, None])
-    return tuple(float(np.trapezoid(each, at)) for each in (off.max(axis=0), *off))
+    return {name: float(np.trapezoid(each, at)) for name, each in zip(names, (off.max(axis=0), *off), strict=True)}
 
 
 def _on_stops(

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
-from sim_core.blas import one_thread
+from sim_core.blas import single_threaded
 from sim_core.catalogue import EVENTS, METRIC_SIGNALS, SIGNALS, WHOLE, WINDOWS
 from sim_core.errors import RefusedError
 from sim_core.metrics.definition import ByWindow, comfort_metrics, drive_events, window_metrics
@@ -27,7 +27,7 @@ from sim_core.simulate import simulate
 END_TOLERANCE = 0.5  # what a recording may lack at either end of the road [m]
 
 
-@one_thread()
+@single_threaded
 def recorded_result(
     scenario: Scenario, drive: RecordedDrive, drives: Callable[[Scenario, str], StrategyResult] = simulate
 ) -> StrategyResult:

@@ -15,6 +15,7 @@ from sim_core.errors import MissingRoadError, RefusedError
 from sim_core.kernel import binding
 from sim_core.scenario import Bump, Road
 from sim_core.scenario.measured import SPACING, MeasuredRoad
+from sim_core.scenario.road import SHAPES
 
 REFERENCE_FREQUENCY = 0.1  # n0 [1/m], ISO 8608
 CUTOFF_FREQUENCY = 0.011  # n00 [1/m]: below it the PSD is flat, so the road stays bounded
@@ -53,7 +54,7 @@ class RoadProfile:
     def __post_init__(self) -> None:
         """Prepare what C reads."""
         bump = self.bump
-        until = inf if bump.shape == "kerb" else bump.end  # it stays up
+        until = inf if SHAPES[bump.shape].stays_up else bump.end
         numbers = bump.count, bump.start, bump.height, bump.width, bump.spacing, until
         layout = binding.road_layout(-_BEFORE, GRID, bump.shape, numbers)
         object.__setattr__(self, "layout", layout)
@@ -73,22 +74,6 @@ class RoadProfile:
         return self.slopes, self.slopes + 2 * steepest(self.bump)
 
 
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class RoadUnderAxles:
-    """The road that a drive meets.
-
-    Attributes:
-        surface: The road.
-        position: Of both axles at every fine instant (2, n + 1) [m].
-        within: How far the road under both lies above its chord in each fine step, on average, then its first moments
-            about the middle (n, 4) [m].
-    """
-
-    surface: RoadProfile
-    position: FloatArray
-    within: FloatArray
-
-
 def rough_profile(roughness: FloatArray, bump: Bump) -> RoadProfile:
     """A road of those samples (n,) [m]."""
     return RoadProfile(roughness, _slopes(roughness), bump)
@@ -105,32 +90,31 @@ def bump_height(bump: Bump, position: FloatArray) -> FloatArray:
 
 
 def kinks(bump: Bump) -> tuple[float, ...]:
-    """Where the bumps' slope jumps [m]; a tyre load may peak just there."""
-    shares: tuple[float, ...] = ()
-    if bump.shape in ("half_sine", "circular"):
-        shares = (0.0, 1.0)
-    elif bump.shape == "trapezoid":
-        shares = (0.0, 0.25, 0.75, 1.0)
+    """Return where the bumps' slope jumps [m]; a tyre load may peak just there."""
     starts = [bump.start + number * bump.spacing for number in range(bump.count)] if bump.height else []
-    return tuple(start + share * bump.width for start in starts for share in shares)
+    return tuple(start + share * bump.width for start in starts for share in SHAPES[bump.shape].kinks)
 
 
 def steepest(bump: Bump) -> float:
-    """The bump's steepest slope, up or down [1]; infinite for half a circle."""
-    height, half = abs(bump.height), bump.width / 2
-    if bump.shape == "circular":
-        return height / half * 2 / (1 - (height / half) ** 2) if height < half else inf
-    factors = {"cosine": pi, "half_sine": pi, "trapezoid": 4.0, "flat_top": 2 * pi, "kerb": pi / 2}
-    return factors[bump.shape] * height / bump.width
+    """Return the bump's steepest slope, up or down [1]; infinite for half a circle."""
+    height, half, factor = abs(bump.height), bump.width / 2, SHAPES[bump.shape].steepest
+    if factor is not None:
+        return factor * height / bump.width
+    return height / half * 2 / (1 - (height / half) ** 2) if height < half else inf  # circular
 
 
 def detail(bump: Bump) -> float:
-    """Length over which the bump rises and falls once [m]: its width, its two ramps put together, a kerb's twice."""
-    return {"flat_top": 0.5, "trapezoid": 0.5, "kerb": 2.0}.get(bump.shape, 1.0) * bump.width
+    """Return the length over which the bump rises and falls once [m]."""
+    return SHAPES[bump.shape].ascent * bump.width
+
+
+def height_density(roughness: float, frequency: FloatArray) -> FloatArray:
+    """Return the one-sided PSD of the road's height [m^3] at spatial frequencies [1/m]: Gd(n0) n0² / (n² + n00²)."""
+    return np.asarray(roughness * REFERENCE_FREQUENCY**2 / (frequency**2 + CUTOFF_FREQUENCY**2))
 
 
 def stationary_deviation(roughness: float) -> float:
-    """Standard deviation of the endless road [m]: root of the PSD's integral, Gd n0² π / (2 n00)."""
+    """Return the standard deviation of the endless road [m]: root of the PSD's integral, Gd n0² π / (2 n00)."""
     return sqrt(roughness * REFERENCE_FREQUENCY**2 * pi / (2 * CUTOFF_FREQUENCY))
 
 
@@ -138,8 +122,8 @@ def stationary_deviation(roughness: float) -> float:
 def _roughness(roughness: float, seed: int, length: float) -> tuple[FloatArray, float]:
     """Samples of dz/dx = -2π n00 z + 2π n0 √Gd w from `_BEFORE` on, exact at the grid points, and their `slopes`.
 
-    Var(w) = 1/(2Δx) makes the one-sided PSD Gd(n0) n0² / (n² + n00²) (ISO 8608 with a cut-off). The same
-    seed gives the same road for every length: a longer one only goes on.
+    Var(w) = 1/(2Δx) makes the one-sided PSD that of `height_density` (ISO 8608 with a cut-off). The same seed gives the
+    same road for every length: a longer one only goes on.
     """
     keep = exp(-2 * pi * CUTOFF_FREQUENCY * GRID)
     samples = np.random.default_rng(seed).standard_normal(grid_samples(length))

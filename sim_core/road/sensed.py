@@ -11,12 +11,11 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.road.profile import (
-    CUTOFF_FREQUENCY,
     GRID,
-    REFERENCE_FREQUENCY,
     RoadProfile,
     bump_height,
     grid_positions,
+    height_density,
     rough_profile,
 )
 from sim_core.scenario import Mismatch, Mpc, Road
@@ -73,13 +72,13 @@ def trusted(seen: FloatArray, roughness: float, expected: ExpectedErrors) -> Flo
     if expected == ExpectedErrors():
         return seen
     n = np.asarray(np.fft.rfftfreq(2 * len(seen), GRID), dtype=np.float64)
-    weight = trust(n, roughness, expected)
+    weight = wiener_filter(n, roughness, expected)
     mirrored = np.concatenate([seen, seen[::-1]])  # so that no end jumps to the other
     return np.asarray(np.fft.irfft(np.fft.rfft(mirrored) * weight)[: len(seen)])
 
 
-def trust(n: FloatArray, roughness: float, expected: ExpectedErrors) -> FloatArray:
-    """By how much the best linear estimate weighs what the sensors see at each spatial frequency n [1/m].
+def wiener_filter(n: FloatArray, roughness: float, expected: ExpectedErrors) -> FloatArray:
+    """Return by how much the best linear estimate weighs what the sensors see at each spatial frequency n [1/m].
 
     Where they err by an offset of standard deviation s and by white noise it is exp(-(2π n s)²/2) S(n) / (S(n) + N),
     S being the road's density and N = 2 σ² Δx the noise's (Wiener 1949; the first factor is the mean of
@@ -87,7 +86,7 @@ def trust(n: FloatArray, roughness: float, expected: ExpectedErrors) -> FloatArr
     """
     weight = np.exp(-((2 * pi * n * expected.offset) ** 2) / 2)
     if expected.noise:
-        density = roughness * REFERENCE_FREQUENCY**2 / (n**2 + CUTOFF_FREQUENCY**2)
+        density = height_density(roughness, n)
         total = density + 2 * expected.noise**2 * GRID
         weight *= np.divide(density, total, out=np.ones_like(n), where=total > 0)
     return np.asarray(weight)
@@ -101,7 +100,7 @@ def _noise(samples: int, seed: int, mismatch: Mismatch) -> FloatArray | float:
 
 
 def _averaged(heights: FloatArray, length: float) -> FloatArray:
-    """Means over that length of road [m] about each sample, the road being straight between samples.
+    """Return means over that length of road [m] about each sample, the road being straight between samples.
 
     The mean of a straight piece is its height in the middle, which both samples beside it share.
     """

@@ -7,7 +7,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, JsonValue
 from pydantic.config import JsonDict
 from pydantic_core import PydanticCustomError
 
-from sim_core.scenario.search_words import SEARCH_WORDS, search_terms
+from sim_core.scenario.search_words import search_terms, search_words
 
 
 def quantity(unit: str, *, soft: tuple[float, float], ge: float, le: float, shown: str | None = None) -> Any:
@@ -36,7 +36,7 @@ ADDED = "added"
 
 def _with_search_words(schema: JsonDict, part: type[BaseModel]) -> None:
     """Add to each field's JSON Schema what people may look for it by."""
-    words, properties = SEARCH_WORDS.get(part.__name__, {}), schema.get("properties")
+    words, properties = search_words().get(part.__name__, {}), schema.get("properties")
     for name, each in properties.items() if isinstance(properties, dict) else ():
         found = [term for key in ("*", name) if key in words for term in search_terms(words[key])]
         if found and isinstance(each, dict):

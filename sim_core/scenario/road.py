@@ -1,5 +1,7 @@
 """The road of a scenario: its roughness or a measured profile, and the bumps on it."""
 
+from dataclasses import dataclass
+from math import pi
 from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BeforeValidator, Field, PrivateAttr
@@ -12,6 +14,33 @@ MAX_SEED = 2**32 - 1
 Seed = Annotated[int, quantity("1", soft=(1, 20), ge=0, le=MAX_SEED)]
 RearAxle = Literal["in_turn", "together"]
 BumpShape = Literal["cosine", "half_sine", "circular", "flat_top", "trapezoid", "kerb"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ShapeFacts:
+    """What has to be known of a shape beside its heights, which sim_core/kernel/road.c has.
+
+    Attributes:
+        steepest: Slope of one that is as high as it is wide; None where it depends on the height otherwise.
+        ascent: Over which part of the width it rises and falls once.
+        kinks: At which shares of the width the slope jumps.
+        stays_up: Whether the road stays up behind it.
+    """
+
+    steepest: float | None
+    ascent: float = 1.0
+    kinks: tuple[float, ...] = ()
+    stays_up: bool = False
+
+
+SHAPES: dict[BumpShape, ShapeFacts] = {
+    "cosine": ShapeFacts(steepest=pi),
+    "half_sine": ShapeFacts(steepest=pi, kinks=(0.0, 1.0)),
+    "circular": ShapeFacts(steepest=None, kinks=(0.0, 1.0)),
+    "flat_top": ShapeFacts(steepest=2 * pi, ascent=0.5),
+    "trapezoid": ShapeFacts(steepest=4.0, ascent=0.5, kinks=(0.0, 0.25, 0.75, 1.0)),
+    "kerb": ShapeFacts(steepest=pi / 2, ascent=2.0, stays_up=True),
+}
 
 
 class Bump(Part):

@@ -2,7 +2,7 @@
 
 from sim_core.ecu.calibration import Calibration, Checked
 from sim_core.scenario import Scenario
-from sim_core.simulate import on_any_road, prepare
+from sim_core.simulate import on_dummy_road, prepare
 from sim_core.strategies.lv_hil import LvHil
 
 
@@ -17,4 +17,4 @@ def ecu_calibration(scenario: Scenario, checked: Checked = "all") -> Calibration
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
     controller = LvHil(checked=checked).for_scenario(scenario)
-    return controller.calibration(prepare(on_any_road(scenario), controller).setup())
+    return controller.calibration(prepare(on_dummy_road(scenario), controller).setup())

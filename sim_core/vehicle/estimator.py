@@ -16,7 +16,7 @@ from sim_core.caching import cached
 from sim_core.errors import RefusedError
 from sim_core.matrices import exponential, riccati, solve
 from sim_core.road.profile import REFERENCE_FREQUENCY
-from sim_core.road.sensed import ExpectedErrors, expected_errors, trust
+from sim_core.road.sensed import ExpectedErrors, expected_errors, wiener_filter
 from sim_core.scenario import Estimation, Preview, Scenario, Vehicle
 from sim_core.scenario.road import RearAxle
 from sim_core.vehicle.half_car import MEASURED_OUTPUTS, STATES, discrete, half_car, measurement
@@ -160,23 +160,16 @@ def _unseen(scenario: Scenario, mode: Preview, speed: float) -> tuple[float, flo
 def unseen_share(
     vehicle: Vehicle, roughness: float, speed: float, expected: ExpectedErrors, rear_axle: RearAxle = "in_turn"
 ) -> float:
-    """Share of the road's intensity with which white noise moves the body as the road does that preview leaves unknown.
+    """Return the share of the road's intensity with which white noise moves the body as what preview leaves unknown.
 
-    Of the road's density S the Wiener estimate (`trust`, W) leaves S (1 - exp(-(2π n s)²/2) W), s being the expected
-    offset: little of the long waves and all of the short ones. No sensor measures the body's velocity, which is why
-    that is what counts.
-
-    Args:
-        vehicle: The one the controllers believe in.
-        roughness: Gd(n0) [m³], the road's class.
-        speed: At which it is driven [m/s].
-        expected: Errors of the sensors that look ahead; of none nothing is left.
-        rear_axle: As of `kalman_filter`.
+    Of the road's density S the Wiener estimate (`wiener_filter`, W) leaves S (1 - exp(-(2π n s)²/2) W), s being the
+    expected offset: little of the long waves and all of the short ones. No sensor measures the body's velocity, which
+    is why that is what counts.
     """
     if expected == ExpectedErrors():
         return 0.0
     model, n = half_car(vehicle), _FREQUENCIES / speed
-    left = 1 - np.exp(-((2 * pi * n * expected.offset) ** 2) / 2) * trust(n, roughness, expected)
+    left = 1 - np.exp(-((2 * pi * n * expected.offset) ** 2) / 2) * wiener_filter(n, roughness, expected)
     plant = 2j * pi * _FREQUENCIES[:, None, None] * np.eye(STATES) - model.A
     motion = np.linalg.solve(plant, np.broadcast_to(model.E[:, :2], (len(n), STATES, 2)))[:, _BODY_VELOCITY]
     causes = motion if rear_axle == "in_turn" else motion.sum(axis=1, keepdims=True)

@@ -5,12 +5,11 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.kernel.prepared import DrivenCar
 from sim_core.kernel.record import Recorder
-from sim_core.road.profile import RoadUnderAxles
 from sim_core.scenario import Actuator, Vehicle
 from sim_core.vehicle.half_car import FORCES, STATES
 from sim_core.vehicle.model import Estimator, SemiActiveDampers
-from sim_core.vehicle.nonlinear import numbers, substeps
-from sim_core.vehicle.plant import effects
+from sim_core.vehicle.nonlinear import substeps, to_c_struct
+from sim_core.vehicle.plant import transition_matrix
 
 
 def make_vehicle(
@@ -23,10 +22,9 @@ def make_vehicle(
     *,
     estimator: Estimator | None = None,
     dampers: SemiActiveDampers | None = None,
-    road: RoadUnderAxles | None = None,
     recorder: Recorder | None = None,
 ) -> DrivenCar:
-    """A car on its road.
+    """Return a car on its road, which is straight within a fine step.
 
     Args:
         vehicle: The real one.
@@ -37,20 +35,17 @@ def make_vehicle(
         braking: Deceleration in each fine step (n,) [m/s^2].
         estimator: Between car and controller; None where that has the state itself.
         dampers: Its dampers where they are semi-active; None where actuators act beside passive ones.
-        road: The road itself within each fine step, to which a nonlinear car's stops, tyres and limits are sensitive;
-            None where it is straight there, as a linear car takes it.
         recorder: What measures its drive; None for nothing.
     """
     linear = is_linear(vehicle, dampers)
     return DrivenCar(
-        vehicle=numbers(vehicle, actuator, dampers),
+        vehicle=to_c_struct(vehicle, actuator, dampers),
         states=STATES if actuator.bandwidth is None else STATES + FORCES,
-        effects=effects(vehicle, actuator, fine_step) if linear else None,
+        effects=transition_matrix(vehicle, actuator, fine_step) if linear else None,
         steps=len(braking) // fine,
         fine=fine,
-        estimator=None if estimator is None else _numbers_of(estimator),
+        estimator=None if estimator is None else _estimator_struct(estimator),
         estimator_input=np.empty((0, STATES)) if estimator is None else np.ascontiguousarray(estimator.input),
-        road=None if road is None else (road.surface.roughness, road.surface.layout, road.position, road.within),
         height=height,
         braking=braking,
         substeps=1 if linear else substeps(vehicle, actuator, dampers, fine_step),
@@ -60,10 +55,10 @@ def make_vehicle(
 
 
 def is_linear(vehicle: Vehicle, dampers: SemiActiveDampers | None) -> bool:
-    """Whether its steps are exact: passive dampers, stops and tyres that are linear, and no semi-active `dampers`."""
+    """Check whether its steps are exact: no semi-active `dampers`; passive ones, stops and tyres that are linear."""
     return vehicle.linear and dampers is None
 
 
-def _numbers_of(estimator: Estimator) -> FloatArray:
-    """`struct estimator` of kernel/car.c (112,)."""
+def _estimator_struct(estimator: Estimator) -> FloatArray:
+    """Return `struct estimator` of kernel/car.c."""
     return np.concatenate([part.ravel() for part in (estimator.state, estimator.command, estimator.measurement)])

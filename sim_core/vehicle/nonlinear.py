@@ -2,8 +2,8 @@
 
 F_i = k_i d + c_i(ḋ) ḋ + stop_i(d) - u_i - link_i a, a being the braking, and load_i = max(-k_t,i (z_w - z_r), -static
 load_i). The slope of each of these changes where a damper turns, a stop is met or a tyre lifts off: a step
-(Runge-Kutta, fourth order) ends there. The road is a polynomial within a fine step, by its mean height and first
-moment. A semi-active damper's force is the nearest to c_i(ḋ) ḋ - u_i that lies between `least` ḋ and `most` ḋ.
+(Runge-Kutta, fourth order) ends there. A semi-active damper's force is the nearest to c_i(ḋ) ḋ - u_i that lies between
+`least` ḋ and `most` ḋ.
 tests/validation/test_nonlinear.py holds metrics to an adaptive solver's and to those of much finer steps.
 """
 
@@ -30,7 +30,7 @@ _LONGEST_STEP, _LARGEST_DECAY = 2.5e-4, 1.0
 
 
 def substeps(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | None, fine_step: float) -> int:
-    """Steps of Runge-Kutta in a fine step [s] of a car, its actuators and its dampers where they are semi-active."""
+    """Return how many steps of Runge-Kutta a fine step [s] takes; `dampers` are those that are semi-active."""
     steps = ceil(fine_step * max(_fastest(vehicle), _corner(actuator)) / _LONGEST_ANGLE)
     if dampers is None:
         return steps
@@ -40,7 +40,7 @@ def substeps(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | 
 
 
 def _hardest(vehicle: Vehicle, dampers: SemiActiveDampers) -> FloatArray:
-    """Greatest damping of semi-active dampers, front and rear [N s/m]."""
+    """Return the greatest damping of semi-active dampers, front and rear [N s/m]."""
     if dampers.most < inf:
         return np.full(2, dampers.most)
     wheels = np.array([vehicle.front_wheel_mass, vehicle.rear_wheel_mass])
@@ -49,7 +49,7 @@ def _hardest(vehicle: Vehicle, dampers: SemiActiveDampers) -> FloatArray:
 
 
 def _steepest(vehicle: Vehicle) -> tuple[float, float]:
-    """Greatest slope of both passive dampers' force over velocity, front and rear [N s/m]."""
+    """Return the greatest slope of both passive dampers' force over velocity, front and rear [N s/m]."""
     if vehicle.damper_curves is None:
         hard = max(vehicle.damping_factors)
         return vehicle.front_damping * hard, vehicle.rear_damping * hard
@@ -58,13 +58,13 @@ def _steepest(vehicle: Vehicle) -> tuple[float, float]:
 
 
 def _corner(actuator: Actuator) -> float:
-    """Of their lag [rad/s], 0 without one."""
+    """Return the corner of their lag [rad/s], 0 without one."""
     return 2 * pi * (actuator.bandwidth or 0.0)
 
 
 @small_cached(128)
-def numbers(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | None) -> FloatArray:
-    """`struct vehicle` of kernel/car.c (121,)."""
+def to_c_struct(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | None) -> FloatArray:
+    """Return `struct vehicle` of kernel/car.c."""
     semi_active = dampers or SemiActiveDampers(least=0.0, most=0.0, most_force=0.0)
     compression, rebound = vehicle.damping_factors
     damping = np.array([vehicle.front_damping, vehicle.rear_damping])
@@ -87,13 +87,13 @@ def numbers(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | N
         "most_damping": tuple(_hardest(vehicle, semi_active)),
     }
     brake_moment = vehicle.body_mass * vehicle.cg_height / vehicle.pitch_inertia
-    turns = dampers is not None or not (vehicle.rebound_ratio == 1 and vehicle.damper_curves is None)
-    single = brake_moment, _corner(actuator), float(turns), float(dampers is not None), semi_active.most_force
+    asymmetric = dampers is not None or not (vehicle.rebound_ratio == 1 and vehicle.damper_curves is None)
+    single = brake_moment, _corner(actuator), float(asymmetric), float(dampers is not None), semi_active.most_force
     return np.array([*single, *chain.from_iterable(front_and_rear.values()), *curves(vehicle)])
 
 
 def curves(vehicle: Vehicle) -> FloatArray:
-    """How many points both dampers' curves have, their velocities and their forces; 0 without curves."""
+    """Return how many points both dampers' curves have, their velocities and their forces; 0 without curves."""
     numbers = np.zeros((2, 1 + 2 * (MOST_POINTS + 1)))
     for row, points in zip(numbers, vehicle.damper_curves or (), strict=False):
         whole = np.array(with_origin(points))
@@ -104,7 +104,7 @@ def curves(vehicle: Vehicle) -> FloatArray:
 
 @lru_cache(maxsize=128)
 def _fastest(vehicle: Vehicle) -> float:
-    """Magnitude of the fastest pole that any of its linear cars has [rad/s]: dampers hard, stops met."""
+    """Return the magnitude of the fastest pole that any of its linear cars has [rad/s]: dampers hard, stops met."""
     front, rear = _steepest(vehicle)
     stop = 0.0 if vehicle.bump_stop_clearance is None else vehicle.bump_stop_stiffness
     stiffest = vehicle.model_copy(

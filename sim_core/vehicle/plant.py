@@ -51,11 +51,11 @@ def plant(vehicle: Vehicle, actuator: Actuator, step: float) -> Plant:
 
 
 @small_cached(128)
-def effects(vehicle: Vehicle, actuator: Actuator, step: float) -> FloatArray:
-    """What each cause alone makes of the state in a step [s] (20, 10), as `struct linear_step` of kernel/car.c has it.
+def transition_matrix(vehicle: Vehicle, actuator: Actuator, step: float) -> FloatArray:
+    """Return what each cause alone makes of rest in a step [s] (15, 10), as kernel/car.c has it.
 
-    Causes are both road velocities, braking, the state with the forces, five that a straight road and a linear car do
-    not have, and both commands, which are the forces where actuators do not lag.
+    Causes are both road velocities, braking, the state with the forces, and both commands, which are the forces where
+    actuators do not lag.
     """
     exact = plant(vehicle, actuator, step)
     n, own = exact.size, np.zeros((CAUSES, NUMBERS))

@@ -14,13 +14,13 @@ def qp_design(**changed: Any) -> QpDesign:
         "columns": np.zeros((5, 8)),
         "low": np.zeros(5),
         "high": np.zeros(5),
-        "by_inputs": np.zeros((7, 19)),
-        "optimum": np.zeros((7, 19)),
+        "linear_term_gain": np.zeros((7, 19)),
+        "unconstrained_gain": np.zeros((7, 19)),
         "bounds": np.ones(7),
         "axles": np.array([-1, -1, -1, 0, 0, 1, 1], dtype=np.int8),
         "gram": np.zeros((7, 7)),
         "slack_price": 1.0,
-        "slack_yield": 1.0,
+        "inverse_slack_weight": 1.0,
         "iterations": 5,
     }
     return QpDesign(**(right | changed))

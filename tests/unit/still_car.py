@@ -19,7 +19,6 @@ def still_car(steps: int = 6, fine: int = 1, **changed: Any) -> prepared.DrivenC
         "fine": fine,
         "estimator": None,
         "estimator_input": np.empty((0, 8)),
-        "road": None,
         "height": np.zeros((2, steps * fine + 1)),
         "braking": np.zeros(steps * fine),
         "substeps": 1,

@@ -3,7 +3,6 @@
 import os
 import subprocess
 import sys
-import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -12,7 +11,6 @@ import pytest
 from threadpoolctl import ThreadpoolController
 
 from sim_core import Scenario, simulate
-from sim_core.loop.run import Run
 from sim_core.metrics.evaluate import evaluate
 from tests.servers.process import HANG_TIMEOUT
 
@@ -99,29 +97,3 @@ def test_a_run_has_one_thread_of_blas_and_the_host_has_its_own_back(
     with pytest.raises(RuntimeError, match="a bug"):
         simulate(Scenario(), "passive")
     assert threads(libraries) == {3}
-
-
-def test_runs_of_several_threads_may_overlap(libraries: list[Any], monkeypatch: pytest.MonkeyPatch) -> None:
-    """The one that began first ends first: the other still has one thread, and afterwards all is as before."""
-    begun, free = [threading.Event() for _ in range(2)], threading.Event()
-
-    def waiting(run: Run, *arguments: Any) -> Any:
-        scenario = run.scenario
-        begun[scenario.road.seed - 1].set()
-        if scenario.road.seed == 2:
-            assert free.wait(HANG_TIMEOUT)
-        else:
-            assert begun[1].wait(HANG_TIMEOUT)
-        return evaluate(run, *arguments)
-
-    monkeypatch.setattr(SIMULATE, "evaluate", waiting)
-    scenarios = [Scenario.model_validate({"road": {"seed": seed}}) for seed in (1, 2)]
-    first, second = (threading.Thread(target=simulate, args=(each, "passive")) for each in scenarios)
-    first.start()
-    assert begun[0].wait(HANG_TIMEOUT)
-    second.start()
-    first.join(HANG_TIMEOUT)
-    assert (first.is_alive(), threads(libraries)) == (False, {1})
-    free.set()
-    second.join(HANG_TIMEOUT)
-    assert (second.is_alive(), threads(libraries)) == (False, {3})

@@ -5,7 +5,6 @@ import re
 import subprocess
 import sys
 from collections.abc import Callable
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -17,10 +16,10 @@ from sim_core.ecu import program
 from sim_core.kernel import binding, build, library, prepared, qp, record
 from sim_core.kernel.library import load
 from sim_core.kernel.qp import QpMemory
-from sim_core.loop.closed_loop import law_arrays
+from sim_core.loop.closed_loop import control_law_context
 from sim_core.loop.preview import Forecast, sliding_forecast
 from sim_core.vehicle.half_car import measurement
-from sim_core.vehicle.nonlinear import numbers
+from sim_core.vehicle.nonlinear import to_c_struct
 from tests.unit.qp_design import qp_design
 from tests.unit.still_car import still_car
 
@@ -61,7 +60,7 @@ def test_every_function_is_called_as_c_declares_it() -> None:
             if isinstance(kind, library.Array):
                 if kind._shape and number == "struct":
                     (struct,) = re.findall(r"struct (\w+)", parameter)
-                    assert kind._shape == (library.numbers_of(struct),), f"{c.__name__}: {parameter}"
+                    assert kind._shape == (library.size_of(struct),), f"{c.__name__}: {parameter}"
                 assert (kind._flags & library._WRITEABLE == 0) == bool(is_const), f"{c.__name__}: {parameter}"
                 assert kind._dtype == DTYPES.get(number, kind._dtype), f"{c.__name__}: {parameter}"
             else:
@@ -137,7 +136,7 @@ def test_a_sliding_horizon_is_each_of_its_windows() -> None:
     assert braking.shape == (16, horizon)
     about_mean = braking - braking.mean(axis=1, keepdims=True)
     norms = [np.linalg.norm(each, axis=1) for each in (*velocities, about_mean)]
-    np.testing.assert_allclose(forecast.sizes, [np.abs(braking.mean(axis=1)), *norms])
+    np.testing.assert_allclose(forecast.preview_norms, [np.abs(braking.mean(axis=1)), *norms])
 
 
 def random_car(
@@ -157,14 +156,13 @@ def random_car(
     else:
         effects[-2:] = B.T
     car = prepared.DrivenCar(
-        vehicle=numbers(Vehicle(), Actuator(), None),
+        vehicle=to_c_struct(Vehicle(), Actuator(), None),
         states=n,
         effects=effects,
         steps=steps,
         fine=fine,
         estimator=np.concatenate([part.ravel() for part in filtered]) if estimates else None,
         estimator_input=known,
-        road=None,
         height=height,
         braking=braking,
         substeps=1,
@@ -199,8 +197,10 @@ def test_a_law_is_followed_up_to_the_first_step_in_which_a_limit_binds(seed: int
     clips = bool(rng.integers(2))
     force, change, actuator = (float(each) for each in rng.choice([0.5, 2.0, np.inf], size=3))
     limits_of_forces = np.array([force, change, actuator])
-    sees_nothing = Forecast(disturbances=windows, source=ahead, sizes=forecast.sizes, height_now=forecast.height_now)
-    arrays = law_arrays(forecast if horizon else sees_nothing, limits_of_forces, clips=clips)
+    sees_nothing = Forecast(
+        disturbances=windows, source=ahead, preview_norms=forecast.preview_norms, height_now=forecast.height_now
+    )
+    arrays = control_law_context(forecast if horizon else sees_nothing, limits_of_forces, clips=clips)
     loop = np.zeros((steps + 1, n + 2))
     expected, stopped, limited = loop.copy(), steps, 0
     for k in range(steps):
@@ -230,7 +230,7 @@ def test_a_limit_on_one_kind_of_preview_binds_where_all_of_it_is_seen(kind: int,
     ahead[kind, 10:14] = seen
     limits[0, 10 + 4 * kind : 14 + 4 * kind] = 0.251 * np.array(seen)  # 1.004 in step 10, 0.753 before it
     law = LinearLaw(gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 12)), limits=limits)
-    arrays = law_arrays(sliding_forecast(ahead, 4, np.zeros((2, steps))), np.full(3, np.inf), clips=True)
+    arrays = control_law_context(sliding_forecast(ahead, 4, np.zeros((2, steps))), np.full(3, np.inf), clips=True)
     car = still_car(steps=steps)
     assert car.follow_law(arrays, np.zeros((steps + 1, 10)))(law.design, None, 0, steps)[0] == 10
 
@@ -279,24 +279,3 @@ def test_roughness_is_a_filtered_walk_and_says_between_which_slopes_it_lies() ->
     between = binding.roughness(heights, deviation, keep, grid)
     np.testing.assert_allclose(heights, expected, rtol=1e-12)
     assert between == pytest.approx(np.ptp(np.diff(expected)) / grid, rel=1e-12)
-
-
-@pytest.mark.parametrize("seed", range(4))
-def test_extremes_of_windows_are_shown_and_lines_miss_samples_by_shares_of_the_span(seed: int) -> None:
-    values = default_rng(seed).normal(size=60).astype(np.float32)
-    values[default_rng(seed).integers(60, size=3)] = np.nan
-    windows = np.array([2, 5, 22, 41, 58], dtype=np.intc)
-    parts = np.array([[2, 7, 3], [25, 4, 8]], dtype=np.intc)
-    shown, missed = np.zeros(60, dtype=np.uint8), np.zeros(53, dtype=np.float32)
-    binding.sample_marker(windows, parts, shown, missed)(values)
-    extremes = set[int]()
-    for first, last in pairwise(windows.tolist()):
-        extremes |= {first + int(find(values[first:last])) for find in (np.nanargmin, np.nanargmax)}
-    assert set(np.flatnonzero(shown).tolist()) == extremes
-    span = np.nanmax(values[2:58]) - np.nanmin(values[2:58])
-    expected = []
-    for first, stride, gaps in parts.tolist():
-        for node in range(first, first + stride * gaps, stride):
-            line = np.interp(np.arange(stride), [0, stride], values[[node, node + stride]])
-            expected += np.nan_to_num(np.abs(values[node : node + stride] - line) / span).tolist()
-    assert missed == pytest.approx(expected, abs=1e-6)

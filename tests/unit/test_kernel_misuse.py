@@ -10,7 +10,7 @@ import pytest
 
 from sim_core.arrays import FloatArray
 from sim_core.kernel import binding, prepared
-from sim_core.kernel.library import Prepared
+from sim_core.kernel.library import CStruct
 from sim_core.kernel.qp import QpDesign, QpMemory
 from tests.unit.qp_design import qp_design
 from tests.unit.still_car import still_car
@@ -82,24 +82,12 @@ def memory(**values: FloatArray) -> QpMemory:
 
 
 STEPS, FINE = 6, 2
-POSITION = np.zeros((2, STEPS * FINE + 1))
-ROAD_OF_DRIVE: dict[str, Any] = {
-    "samples": np.zeros(50),
-    "layout": np.ones(9),
-    "position": POSITION,
-    "within": np.zeros((STEPS * FINE, 4)),
-}
-
-
-def road(**changed: FloatArray) -> tuple[FloatArray, ...]:
-    return tuple((ROAD_OF_DRIVE | changed).values())
 
 
 CAR: dict[str, Any] = {
     "steps": STEPS,
     "fine": FINE,
     "effects": None,
-    "road": road(),
     "substeps": 3,
     "recorder": recorder(FINE, STEPS, np.array([[0.0, 4.0]])),
 }
@@ -108,7 +96,7 @@ LAW: dict[str, Any] = {
     "horizon": 3,
     "preview": np.zeros((3, STEPS + 2)),
     "strides": (STEPS + 2, 1),
-    "sizes": np.zeros((4, STEPS)),
+    "preview_norms": np.zeros((4, STEPS)),
     "force_limits": np.full(3, np.inf),
     "clips": True,
 }
@@ -126,12 +114,12 @@ CALLS: dict[str, Any] = {
 
 
 def drive(**changed: Any) -> None:
-    """A nonlinear car on a road by a law, step by step and sampled, but for what is `changed`."""
+    """A nonlinear car driven by a law, step by step and sampled, but for what is `changed`."""
     design, law, calls = (
         right | {name: changed.pop(name) for name in right if name in changed} for right in (DESIGN, LAW, CALLS)
     )
     car, loop, (first, last) = still_car(**(CAR | changed)), calls["loop"], calls["sampled"]
-    follow = car.follow_law(prepared.LawArrays(**law), loop)
+    follow = car.follow_law(prepared.ControlLawContext(**law), loop)
     follow(prepared.LawDesign(**design), calls["qp"], calls["first"], calls["last"])
     car.advance(calls["step"], loop)
     car.measure(calls["measured"], calls["state"], calls["command"])
@@ -146,7 +134,7 @@ MISUSES: dict[str, dict[str, Any]] = {
     "limits on two kinds of preview": {"gain": np.zeros((2, 12)), "limits": np.zeros((14, 12))},
     "a preview that ends before the drive": {"preview": np.zeros((3, STEPS + 1))},
     "a preview from behind": {"strides": (STEPS + 2, -1)},
-    "sizes in fewer steps": {"sizes": np.zeros((4, STEPS - 1))},
+    "norms in fewer steps": {"preview_norms": np.zeros((4, STEPS - 1))},
     "a single step beyond the drive": {"step": STEPS},
     "a measurement of another car": {"state": np.zeros(10)},
     "a measurement of one force": {"command": np.zeros(1)},
@@ -160,16 +148,12 @@ MISUSES: dict[str, dict[str, Any]] = {
     "a state of nine": {"states": 9},
     "an estimator that knows nothing": {"estimator": np.zeros(112)},
     "half an estimator": {"estimator": np.zeros(100), "estimator_input": np.zeros((STEPS, 8))},
-    "a road of one height": {"road": road(samples=np.zeros(1))},
-    "a road shorter than the drive": {"road": road(position=np.zeros((2, STEPS * FINE)))},
-    "chords of half the road": {"road": road(within=np.zeros((STEPS, 4)))},
     "a recorder of a shorter drive": {"recorder": recorder(FINE, STEPS - 1, np.array([[0.0, 4.0]]))},
     "a recorder of finer steps": {"recorder": recorder(2 * FINE, STEPS // 2, np.array([[0.0, 4.0]]))},
     "a road under one axle": {"height": np.zeros((1, STEPS * FINE + 1))},
     "heights of half the road": {"height": np.zeros((2, STEPS * FINE))},
     "braking in each control step": {"braking": np.zeros(STEPS)},
-    "a linear car on a road": {"effects": np.zeros((20, 10))},
-    "a linear step of the state alone": {"road": None, "effects": np.zeros((10, 10))},
+    "a linear step of the state alone": {"effects": np.zeros((10, 10))},
     "no fine step": {"fine": 0},
     "a step that takes no time": {"fine_step": 0.0},
     "a measurement beyond the drive": {"measured": STEPS},
@@ -178,9 +162,12 @@ MISUSES: dict[str, dict[str, Any]] = {
     "samples before the drive": {"sampled": (-1, STEPS)},
     "samples backwards": {"sampled": (2, 1)},
     "no substep": {"substeps": 0},
-    "a law of another drive": {"steps": STEPS - 1, "road": None, "recorder": None},
+    "a law of another drive": {"steps": STEPS - 1, "recorder": None},
     "another law's qp": {
-        "qp": (qp_design(by_inputs=np.zeros((7, 13)), optimum=np.zeros((7, 13))), QpMemory(qp_design(), 1.0))
+        "qp": (
+            qp_design(linear_term_gain=np.zeros((7, 13)), unconstrained_gain=np.zeros((7, 13))),
+            QpMemory(qp_design(), 1.0),
+        )
     },
 }
 
@@ -212,7 +199,6 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     "bumps, shape": lambda: binding.road_layout(-1.0, 0.1, "hexagon", (1, 0.0, 0.1, 0.5, 3.0, 2.5)),
     "road, heights": lambda: binding.road_heights(*ROAD, np.zeros(4), np.zeros(3)),
     "road, one sample": lambda: binding.road_heights(np.zeros(1), ROAD[1], np.zeros(4), np.zeros(4)),
-    "chords, positions": lambda: binding.within_steps(*ROAD, np.zeros((2, 4)), np.zeros((4, 4))),
     "recorder, one sample of a road": lambda: recorder(2, 4, ENDS, road=(np.zeros(1), LAYOUT)),
     "recorder, heights": lambda: recorder(2, 4, ENDS, height=np.zeros((2, 8))),
     "recorder, another drive": lambda: recorder(2, 4, ENDS, position=np.zeros((2, 8)), height=np.zeros((2, 8))),
@@ -221,7 +207,7 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     "recorder, one tyre": lambda: recorder(2, 4, ENDS, tyres=np.zeros((3, 1))),
     "recorder, no step": lambda: recorder(2, 4, ENDS, first=4),
     "recorder, no fine step": lambda: recorder(0, 4, ENDS),
-    "recorder, rises": lambda: recorder(2, 4, ENDS, rise=np.zeros(1)),
+    "recorder, rises": lambda: recorder(2, 4, ENDS, max_chord_deviation=np.zeros(1)),
     "recorder, backwards": lambda: recorder(2, 4, ENDS[::-1].copy()),
     "recorder, before the record": lambda: recorder(2, 4, ENDS - 1.0),
     "recorder, beyond the record": lambda: recorder(2, 4, ENDS + 1.5),
@@ -232,20 +218,11 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     "qp, a column less": lambda: qp_design(columns=np.zeros((4, 8))),
     "qp, one limit of a deflection": lambda: qp_design(columns=np.zeros((5, 7))),
     "qp, slacks alone": lambda: qp_design(columns=np.zeros((2, 8)), H=np.eye(2), low=np.zeros(2), high=np.zeros(2)),
-    "samples, fewer": lambda: marked(9),
-    "samples, no window": lambda: marked(windows=np.array([0], dtype=np.intc)),
-    "samples, before the first": lambda: marked(windows=np.array([-1, 10], dtype=np.intc)),
-    "samples, behind the last": lambda: marked(windows=np.array([0, 11], dtype=np.intc)),
-    "samples, an empty window": lambda: marked(windows=np.array([0, 5, 5], dtype=np.intc)),
-    "samples, a part's numbers": lambda: marked(parts=np.array([[0, 6]], dtype=np.intc)),
-    "samples, a part before the first": lambda: marked(parts=np.array([[-1, 2, 3]], dtype=np.intc)),
-    "samples, a part behind the last": lambda: marked(parts=np.array([[4, 2, 3]], dtype=np.intc)),
-    "samples, lines": lambda: marked(missed=np.zeros(5, dtype=np.float32)),
     "qp, too many moves": lambda: qp_design(columns=np.zeros((203, 8)), H=np.eye(203)),
     "qp, half a box": lambda: qp_design(low=np.zeros(4)),
     "qp, no slacks in the box": lambda: qp_design(high=np.zeros(3)),
-    "qp, inputs": lambda: qp_design(optimum=np.zeros((7, 18))),
-    "qp, fewer values": lambda: qp_design(by_inputs=np.zeros((6, 19)), optimum=np.zeros((6, 19))),
+    "qp, inputs": lambda: qp_design(unconstrained_gain=np.zeros((7, 18))),
+    "qp, fewer values": lambda: qp_design(linear_term_gain=np.zeros((6, 19)), unconstrained_gain=np.zeros((6, 19))),
     "qp, bounds": lambda: qp_design(bounds=np.zeros(6)),
     "qp, axles": lambda: qp_design(axles=np.zeros(6, dtype=np.int8)),
     "qp, a third axle": lambda: qp_design(axles=np.full(7, 2, dtype=np.int8)),
@@ -259,11 +236,11 @@ DISAGREEING: dict[str, Callable[[], object]] = {
 def longer_qp() -> QpDesign:
     """With a fifth deflection."""
     by_value = {"bounds": np.ones(8), "axles": np.full(8, -1, dtype=np.int8), "gram": np.zeros((8, 8))}
-    tables = {"by_inputs": np.zeros((8, 19)), "optimum": np.zeros((8, 19))}
+    tables = {"linear_term_gain": np.zeros((8, 19)), "unconstrained_gain": np.zeros((8, 19))}
     return qp_design(columns=np.zeros((5, 10)), **tables, **by_value)
 
 
-def fuzzy(**changed: Any) -> Prepared:
+def fuzzy(**changed: Any) -> CStruct:
     right: dict[str, Any] = {
         "errors": np.zeros((7, 5)),
         "error_end": 30.0,
@@ -276,16 +253,6 @@ def fuzzy(**changed: Any) -> Prepared:
     return binding.fuzzy_rules(**(right | changed))
 
 
-def marked(values: int = 10, **changed: Any) -> None:
-    right: dict[str, Any] = {
-        "windows": np.array([0, 4, 10], dtype=np.intc),
-        "parts": np.array([[3, 2, 3]], dtype=np.intc),
-        "shown": np.zeros(10, dtype=np.uint8),
-        "missed": np.zeros(6, dtype=np.float32),
-    }
-    binding.sample_marker(**(right | changed))(np.zeros(values, dtype=np.float32))
-
-
 @pytest.mark.parametrize("misuse", DISAGREEING)
 def test_arrays_fit_each_other(misuse: str) -> None:
     with pytest.raises(ValueError, match=r"\w"):
@@ -295,7 +262,6 @@ def test_arrays_fit_each_other(misuse: str) -> None:
 def test_what_fits_is_taken() -> None:
     """The right arguments of the misuses above."""
     assert binding.torque_share(fuzzy(), 30.0, 80.0) == 0
-    marked()
     drive()
     recorder(2, 4, ENDS).record(3)
     binding.window_sizes(np.zeros((3, 5)), 2, np.zeros((4, 4)))

@@ -39,7 +39,7 @@ def test_solvers_agree_with_each_other_and_with_daqp(scenario: Scenario) -> None
     for design in designs(scenario):
         qps = Qps(design)
         lower = np.concatenate([design.low, np.full(design.columns.shape[1], -1e30)])
-        for inputs in random_inputs(design.by_inputs.shape[1], 25):
+        for inputs in random_inputs(design.linear_term_gain.shape[1], 25):
             ours = qps.solve(design, "daqp", inputs)
             assert ours is not None
             binding.append(int(np.count_nonzero(qps.multipliers)))
@@ -79,9 +79,9 @@ def test_a_tenth_of_a_newton_off_is_no_answer(monkeypatch: pytest.MonkeyPatch) -
 def test_c_answers_only_where_its_answer_is_that_of_the_qp(off: float, answers: bool) -> None:
     """The QP's linear term is larger by that share than the one from which the answer is made: so is the residual."""
     design = designs(HARD)[0]
-    larger = np.where(np.arange(len(design.by_inputs)) < design.moves, 1 + off, 1.0)
-    other = replace(design, by_inputs=design.by_inputs * larger[:, np.newaxis])
-    for inputs in random_inputs(design.by_inputs.shape[1], 3):
+    larger = np.where(np.arange(len(design.linear_term_gain)) < design.moves, 1 + off, 1.0)
+    other = replace(design, linear_term_gain=design.linear_term_gain * larger[:, np.newaxis])
+    for inputs in random_inputs(design.linear_term_gain.shape[1], 3):
         assert (Qps(other).solve(other, "daqp", inputs) is not None) == answers
 
 

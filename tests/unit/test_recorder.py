@@ -26,7 +26,7 @@ def recorder(fine: int, steps: int, ends: FloatArray, **changed: Any) -> Recorde
         "fine": fine,
         "first": 1,
         "ends": ends,
-        "rise": np.zeros(len(ends)),
+        "max_chord_deviation": np.zeros(len(ends)),
         "weighted_samples": fine * (steps - 1) + 1,
         "weighting": np.zeros(WEIGHTING),
         "tyres": np.array([[1.0, 1.0], [-np.inf, -np.inf], [-STATIC, -STATIC]]),
@@ -87,12 +87,16 @@ def test_power_and_time_in_the_air_are_trapezoids_up_to_the_last_place(fine: int
     table[:, :, 8:] *= acting  # forces of less than 1 N, too
     result = measured(table, np.array([[0.0, fine], [fine, last]]))
     power = np.abs(table[:, :, 8] * table[:, :, 0]) + np.abs(table[:, :, 9] * table[:, :, 1])
-    np.testing.assert_allclose(result.power, in_section("value", power, 0.0, last), rtol=1e-12)
+    totals = result.totals
+    np.testing.assert_allclose(
+        [totals["power"], totals["peak_power"]], in_section("value", power, 0.0, last), rtol=1e-12
+    )
     lifted = table[:, :, 4:6] <= -STATIC
     assert lifted.any(axis=(0, 1)).all()
     kinds = lifted.any(axis=2), lifted[:, :, 0], lifted[:, :, 1]
     expected = [in_section("value", kind.astype(float), 0.0, last)[0] for kind in kinds]
-    np.testing.assert_allclose(result.airborne, expected, rtol=1e-12)
+    airborne = [totals["airborne"], totals["front_airborne"], totals["rear_airborne"]]
+    np.testing.assert_allclose(airborne, expected, rtol=1e-12)
 
 
 @pytest.mark.parametrize("moving", [(1, 1), (0, 1), (1, 0)], ids=["both", "rear", "front"])
@@ -106,8 +110,10 @@ def test_time_on_the_stops_is_that_of_either_suspension_beyond_the_clearance(
     beyond = (np.abs(table[:, :, 6:8]) > 1.2).any(axis=2)
     assert 0 < beyond.sum() < beyond.size
     expected = in_section("value", beyond.astype(float), 0.0, last)[0]
-    assert measured(table, ends, clearance=np.full((2, 2), 1.2)).on_stops == pytest.approx(expected, rel=1e-12)
-    assert measured(table, ends).on_stops == 0, "there are none"
+    assert measured(table, ends, clearance=np.full((2, 2), 1.2)).totals["on_stops"] == pytest.approx(
+        expected, rel=1e-12
+    )
+    assert measured(table, ends).totals["on_stops"] == 0, "there are none"
 
 
 def test_acceleration_is_weighted_by_the_standards_filter_along_lines() -> None:
@@ -126,7 +132,8 @@ def test_acceleration_is_weighted_by_the_standards_filter_along_lines() -> None:
     ends, count = np.array([[0.0, commands * fine]]), commands * fine - 3
     result = measured(table, ends, weighting=weighting(step), weighted_samples=count)
     square = np.array(outputs[:count]) ** 2
-    np.testing.assert_allclose(result.weighted, [square.sum(), (square**2).sum()], rtol=1e-8)
+    weighted = [result.totals["weighted_squares"], result.totals["weighted_fourths"]]
+    np.testing.assert_allclose(weighted, [square.sum(), (square**2).sum()], rtol=1e-8)
 
 
 def test_what_is_not_finite_shows_in_its_section_alone() -> None:

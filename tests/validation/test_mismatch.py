@@ -7,7 +7,7 @@ from sim_core import Actuator, Bump, Mismatch, Preview, Road, Scenario, Speed, V
 from sim_core.loop.excitation import excite
 from sim_core.loop.preview import preview
 from sim_core.road import profile as road
-from sim_core.road.sensed import ExpectedErrors, sensed_road, trust, trusted
+from sim_core.road.sensed import ExpectedErrors, sensed_road, trusted, wiener_filter
 from sim_core.speed.profile import make_speed_profile
 
 SHORT = Scenario(road=Road(length=60, bump=Bump(start=40, width=3)), speed=Speed(detection_distance=30))
@@ -154,7 +154,7 @@ def test_where_road_and_noise_are_equally_dense_half_is_trusted() -> None:
     """White noise of deviation σ at samples Δx apart has, up to 1/(2 Δx), the one-sided density 2 σ² Δx [m³]."""
     roughness, noise = 64e-6, 0.002
     equal = np.sqrt(roughness * 0.1**2 / (2 * noise**2 * 0.01) - 0.011**2)  # [1/m], within the grid's 50
-    assert trust(np.array([equal]), roughness, ExpectedErrors(noise=noise)) == pytest.approx(0.5)
+    assert wiener_filter(np.array([equal]), roughness, ExpectedErrors(noise=noise)) == pytest.approx(0.5)
 
 
 def test_the_more_offset_is_expected_the_less_of_the_short_waves_is_trusted() -> None:

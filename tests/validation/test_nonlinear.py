@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from sim_core.loop.excitation import longest_fine_step
 from sim_core.scenario import Actuator, Bump, Estimation, Hil, Mismatch, Road, Scenario, Vehicle
 from sim_core.scenario.vehicle import GRAVITY
 from sim_core.simulate import simulate
@@ -73,14 +74,12 @@ def test_a_curve_of_two_straight_parts_is_the_ratio(strategy: str) -> None:
 def test_where_nothing_is_met_it_is_the_linear_car(
     strategy: str, estimation: Literal["exact", "kalman"], actuator: Actuator
 ) -> None:
-    """A second way to every number of a linear run: Runge-Kutta steps in C against exact steps in blocks.
-
-    Both on a road that is straight within a fine step, as linear cars take it.
-    """
+    """A second way to every number of a linear run: Runge-Kutta steps in C against exact steps, of the same length."""
     fine = Hil(bits=24)  # converters of 12 bits round a difference of 1e-8 up to a whole code
     scenario = Scenario(vehicle=LINKED, hil=fine, estimation=Estimation(kind=estimation), actuator=actuator)
     never_met = scenario.model_copy(update={"vehicle": LINKED.model_copy(update={"bump_stop_clearance": 1.0})})
-    with patch("sim_core.loop.run.under_axles", lambda _: None):
+    step = longest_fine_step(scenario, "planned", actuated=True)
+    with patch("sim_core.loop.excitation.longest_fine_step", lambda *_, **__: step):
         linear, other = simulate(scenario, strategy), simulate(never_met, strategy)
     assert other.events == pytest.approx(linear.events, abs=1e-3)
     for name, values in linear.series.items():

@@ -52,7 +52,7 @@ def test_a_kink_between_two_samples_counts_where_it_may_raise_the_peak(spare: fl
         fine=2,
         first=0,
         ends=np.array([[0.0, 4.0]]),
-        rise=np.array([2 * slope * step / 4]),
+        max_chord_deviation=np.array([2 * slope * step / 4]),
         weighted_samples=4,
         weighting=np.zeros(WEIGHTING),
         tyres=np.array([[stiffness, stiffness], [-np.inf, -np.inf], [-np.inf, -np.inf]]),

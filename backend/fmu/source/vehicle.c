@@ -11,22 +11,19 @@
 /* As kernel/car.c has them. */
 struct vehicle;
 struct estimator;
-struct linear_step;
-void ridelab_prepare_car(struct car *me, const struct vehicle *vehicle, int states, int linear, struct linear_step *kept,
-                         int estimates, const struct estimator *estimator, const double *estimator_input, int samples,
-                         const double *roughness, const struct layout *layout, const double *position,
-                         const double *within, const double *height, const double *braking, int steps, int fine,
+enum { LAGGING = STATE + FORCES };
+void ridelab_prepare_car(struct car *me, const struct vehicle *vehicle, int states, int linear,
+                         const double (*effects)[LAGGING], int estimates, const struct estimator *estimator,
+                         const double *estimator_input, const double *height, const double *braking, int steps, int fine,
                          int substeps, double time, struct recorder *recorder);
 void ridelab_sample(struct car *me, const double *loop, int first, int steps, double (*one)[SIGNALS], double *samples);
 
-enum { LAGGING = STATE + FORCES, VEHICLE_NUMBERS = 121 };
 static const double MOST_SUBSTEPS = 1e6;
 
 struct memory {
     double height[AXLES];                 /* of the road at the end of the last step [m] */
     double now[LAGGING], command[FORCES]; /* the state then, and the command until then */
     double vehicle[VEHICLE_NUMBERS];
-    double kept[KEPT_STEPS * KEPT_NUMBERS];
     double car[RIDELAB_PREPARED / sizeof(double)];
 };
 const size_t model_memory_bytes = sizeof(struct memory);
@@ -62,7 +59,6 @@ static void fill_vehicle(const double *value, double *to)
 static void drive(const double *value, struct memory *me, const double *height, double step, double substeps,
                   double *next, double (*samples)[SIGNALS])
 {
-    static const struct layout level = {.grid = 1};
     int states = value[V_ACTUATOR_BANDWIDTH] > 0 ? LAGGING : STATE, width = states + FORCES;
     const double heights[2 * AXLES] = {me->height[0], height[0], me->height[1], height[1]};
     double rows[2 * (LAGGING + FORCES)] = {0}, *second = rows + width, by_signal[2 * SIGNALS];
@@ -70,8 +66,8 @@ static void drive(const double *value, struct memory *me, const double *height, 
     memcpy(rows, me->now, (size_t)states * sizeof(double));
     memcpy(rows + states, me->command, sizeof me->command);
     memcpy(second + states, value + V_FORCE_FRONT, FORCES * sizeof(double));
-    ridelab_prepare_car(car, (const struct vehicle *)me->vehicle, states, 0, (struct linear_step *)me->kept, 0, NULL, NULL,
-                        0, NULL, &level, NULL, NULL, heights, value + V_BRAKING, 1, 1, (int)substeps, step, NULL);
+    ridelab_prepare_car(car, (const struct vehicle *)me->vehicle, states, 0, NULL, 0, NULL, NULL, heights,
+                        value + V_BRAKING, 1, 1, (int)substeps, step, NULL);
     ridelab_drive(car, 0, rows, second + states, second);
     ridelab_sample(car, rows, 0, 1, samples, by_signal);
     memcpy(next, second, (size_t)states * sizeof(double));

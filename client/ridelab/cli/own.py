@@ -48,7 +48,7 @@ def check(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="A Python file with controllers.", exists=True)],
     as_json: options.AsJson = False,
 ) -> None:
-    """Say in words what is wrong with a file's controllers, and draw their forces in an SVG file beside it.
+    """Say in words what is wrong with a file's controllers.
 
     The file is run, with all that you may do. Exit code 1 where something is wrong, 2 where it cannot be loaded.
     """

@@ -24,7 +24,7 @@ static ridelab_real coupling(const ridelab_tables *tables, const ridelab_real *g
         sum = one->sign == two->sign ? entry : -entry;
     }
     if (one->axle >= 0 && one->axle == two->axle) {
-        sum += tables->slack_yield;
+        sum += tables->inverse_slack_weight;
     }
     return sum;
 }
@@ -117,7 +117,7 @@ static void move(ridelab_dual *me, const ridelab_tables *tables, const ridelab_r
         }
     }
     if (limit->axle >= 0) {
-        me->slacks[limit->axle] += step * tables->slack_yield;
+        me->slacks[limit->axle] += step * tables->inverse_slack_weight;
     }
 }
 
@@ -193,7 +193,7 @@ static void start(ridelab_dual *me, const ridelab_tables *tables)
         for (int32_t j = 0; j < me->count; j++) {
             me->solved[j] = 0.0f;
         }
-        append(me, &limit, tables->slack_price, tables->slack_yield);
+        append(me, &limit, tables->slack_price, tables->inverse_slack_weight);
         me->slacks[axle] = 0.0f;
     }
 }

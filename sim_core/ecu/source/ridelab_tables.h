@@ -28,7 +28,7 @@ typedef struct {
     int32_t highest;    /* greatest code of a command */
     ridelab_real command_step; /* what one code of a command stands for [kN] */
     ridelab_real slack_price;  /* of a deflection beyond its limit [1/cm] */
-    ridelab_real slack_yield;  /* inverse of its quadratic price [cm^2] */
+    ridelab_real inverse_slack_weight;  /* inverse of its quadratic price [cm^2] */
     const ridelab_real *input_steps;              /* what one code stands for: states, then previewed (11) */
     const ridelab_real *a;                        /* (8, 8): the car over one control step */
     const ridelab_real *b;                        /* (8, 2): forces in kN */

@@ -11,13 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import ode
 
-from sim_core import Actuator, Scenario, StrategyResult, Vehicle, simulate
-from sim_core.kernel.prepared import FollowLaw, LawArrays, LawDesign
+from sim_core import Scenario, StrategyResult, simulate
+from sim_core.kernel.prepared import ControlLawContext, FollowLaw, LawDesign
 from sim_core.kernel.qp import Qp
 from sim_core.kernel.record import Recorder
 from sim_core.loop.excitation import longest_fine_step
-from sim_core.road.profile import RoadUnderAxles
-from sim_core.vehicle.model import Estimator, SemiActiveDampers
+from sim_core.loop.run import Run, run_dampers
 
 Array = NDArray[np.float64]
 FINER = 4  # times as many fine steps: samples of the record, in which positions and braking are linear and constant
@@ -27,7 +26,7 @@ _SUBSAMPLES = 8  # of the road in each of these
 def solved(scenario: Scenario, strategy: str) -> StrategyResult:
     """A run of any strategy without an ECU."""
     with (
-        patch("sim_core.loop.run.make_vehicle", SolvedCar),
+        patch.object(Run, "car", lambda run, recorder: SolvedCar(run, recorder)),
         patch(
             "sim_core.loop.excitation.longest_fine_step",
             lambda *plan, **actuated: longest_fine_step(*plan, **actuated) / FINER,
@@ -37,34 +36,23 @@ def solved(scenario: Scenario, strategy: str) -> StrategyResult:
 
 
 class SolvedCar:
-    """A car whose arguments are `make_vehicle`'s."""
+    """A run's car on the road as it is."""
 
-    def __init__(
-        self,
-        vehicle: Vehicle,
-        actuator: Actuator,
-        fine_step: float,
-        fine: int,
-        height: Array,
-        braking: Array,
-        *,
-        estimator: Estimator | None,
-        dampers: SemiActiveDampers | None,
-        road: RoadUnderAxles | None,
-        recorder: Recorder | None,
-    ) -> None:
-        assert road is not None
+    def __init__(self, run: Run, recorder: Recorder | None) -> None:
         assert recorder is not None
+        scenario, grid, surface = run.scenario, run.excitation.grid, run.excitation.surface
+        vehicle, actuator, estimator = scenario.real_vehicle, run.actuator, run.estimator()
+        fine, fine_step, dampers = run.steps.fine, grid.fine_step, run_dampers(scenario, run.controller)
         self._vehicle, self._estimator, self._recorder, self._dampers = vehicle, estimator, recorder, dampers
         self.fine, self._h = fine, fine_step
-        self._braking: list[float] = braking.tolist()
+        self._braking: list[float] = run.excitation.braking.tolist()
         self._corner = 2 * np.pi * (actuator.bandwidth or 0.0)
         self._states = 10 if self._corner else 8
         self.size = self._states + (8 if estimator else 0)
         share = np.arange(_SUBSAMPLES) / _SUBSAMPLES
-        position = road.position[:, :-1, np.newaxis] + np.diff(road.position)[..., np.newaxis] * share
-        ends = road.surface.height(road.position[:, -1:])
-        heights = road.surface.height(position.reshape(2, -1))
+        position = grid.axles[:, :-1, np.newaxis] + np.diff(grid.axles)[..., np.newaxis] * share
+        ends = surface.height(grid.axles[:, -1:])
+        heights = surface.height(position.reshape(2, -1))
         self._roads: list[list[float]] = np.hstack([heights, ends]).tolist()
         self._spring = vehicle.front_spring, vehicle.rear_spring
         self._tyre = vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness
@@ -80,7 +68,7 @@ class SolvedCar:
         rates = ode(lambda time, x: self._rates(time, x.tolist()))
         self._solver = rates.set_integrator("dopri5", nsteps=5000, first_step=self._h, rtol=1e-7, atol=1e-9)
 
-    def follow_law(self, shared: LawArrays, loop: Array) -> FollowLaw:
+    def follow_law(self, shared: ControlLawContext, loop: Array) -> FollowLaw:
         """As DrivenCar says; where a law has limits beside its forces' the controller decides each step."""
 
         def follow_from(law: LawDesign, qp: Qp | None, first: int, last: int) -> tuple[int, int]:

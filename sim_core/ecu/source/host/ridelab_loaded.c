@@ -32,7 +32,7 @@ static int take_sizes(uint32_t *fingerprint)
     tables.highest = whole[5];
     tables.command_step = real[0];
     tables.slack_price = real[1];
-    tables.slack_yield = real[2];
+    tables.inverse_slack_weight = real[2];
     return tables.intervals >= 1 && tables.previewed >= tables.intervals && tables.previewed <= RIDELAB_MOST_PREVIEWED
            && tables.rows >= RIDELAB_FORCES && tables.rows <= RIDELAB_MOST_ROWS && tables.iterations >= 0;
 }
