@@ -63,7 +63,7 @@ def check_controller(controller: str | type[Controller] | Controller, scenario: 
 
 
 def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> list[str]:
-    """What is wrong with its runs."""
+    """Return what is wrong with its runs."""
     try:
         instance = make_controller(controller)
         kind = type(instance)
@@ -121,7 +121,7 @@ def _undeclared(scenario: Scenario, controller: type[Controller] | Controller, k
 
 
 def declaration_faults(kind: type[Controller]) -> list[str]:
-    """What is wrong with its id, label, description and fields."""
+    """Return what is wrong with its id, label, description and fields."""
     if taken := [name for name in kind.declared if not _may_be_declared(name)]:
         return [f"{name}: this name is used by Controller itself; rename the option" for name in taken]
     wrong = []
@@ -157,7 +157,7 @@ def _may_be_declared(name: str) -> bool:
 
 
 def failure(error: BaseException, controller: type[Controller] | Controller) -> str:
-    """An error of a run in a sentence, with the line of the controller's own file that led to it."""
+    """Return an error of a run in a sentence, with the line of the controller's own file that led to it."""
     if isinstance(error, RidelabError) and not isinstance(error, ForceError):
         return error.message
     try:

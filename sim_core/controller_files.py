@@ -67,7 +67,7 @@ _loaded: dict[Path, _Loaded] = {}
 
 
 def load_controllers(file: str | Path) -> Controllers:
-    """The controllers of a file, by id; it is run once, and again when it has changed.
+    """Return the controllers of a file, by id; it is run once, and again when it has changed.
 
     A class that an import brought in does not count, nor does one without an id, which others derive from. A
     controller that reads further files, such as weights, names them in `files`: with its own file they make
@@ -107,12 +107,12 @@ def load_controllers(file: str | Path) -> Controllers:
 
 
 def run_anew(path: Path) -> Controllers:
-    """The controllers of a file that is run again although it has not changed; raises ControllerFileError."""
+    """Return the controllers of a file that is run again although it has not changed; raises ControllerFileError."""
     return LOADERS.get(path.suffix, _run)(path)
 
 
 def named_controllers() -> Controllers:
-    """The controllers of everything in `sources`, by id.
+    """Return the controllers of everything in `sources`, by id.
 
     Raises:
         ControllerFileError: One of the files cannot be used, or two have a controller of one id.
@@ -127,7 +127,7 @@ def use(find: Callable[[], Controllers]) -> None:
 
 
 def load_all() -> Controllers:
-    """The controllers of everything in `sources`, loaded in this process; raises ControllerFileError."""
+    """Return the controllers of everything in `sources`, loaded in this process; raises ControllerFileError."""
     controllers: Controllers = {}
     for source in sources():
         for name, controller in load(source).items():
@@ -142,19 +142,19 @@ _find = load_all
 
 
 def source_of(controller: type[Controller]) -> dict[str, str] | None:
-    """The name of a controller's file and its digest; None of one that no file was loaded for."""
+    """Return the name of a controller's file and its digest; None of one that no file was loaded for."""
     if controller.file_digest is None:
         return None
     return {"file": Path(inspect.getfile(controller)).name, "digest": controller.file_digest}
 
 
 def sources() -> list[str]:
-    """Where controllers come from: paths of files, and `entry point NAME` of an installed package's."""
+    """Return where controllers come from: paths of files, and `entry point NAME` of an installed package's."""
     return [*map(str, _named_files()), *(f"{INSTALLED}{name}" for name in _installed())]
 
 
 def load(source: str) -> Controllers:
-    """The controllers of one of `sources`, by id.
+    """Return the controllers of one of `sources`, by id.
 
     Raises:
         ControllerFileError: It cannot be used.
@@ -191,7 +191,7 @@ def _named_files() -> Iterator[Path]:
 
 
 def signature(path: Path, files: Iterable[str]) -> Signature:
-    """By which a change of a file, or of those that its controllers read, is noticed.
+    """Return by what a change of a file, or of those that its controllers read, is noticed.
 
     Raises:
         ControllerFileError: One of them cannot be read.
@@ -203,7 +203,7 @@ def signature(path: Path, files: Iterable[str]) -> Signature:
 
 
 def files_of(controllers: Controllers) -> set[str]:
-    """What those controllers read beside their own file."""
+    """Return what those controllers read beside their own file."""
     return {name for each in controllers.values() for name in each.files}
 
 
@@ -239,7 +239,7 @@ LOADERS: dict[str, Callable[[Path], Controllers]] = {".py": _run, ".fmu": _fmu}
 
 
 def _with_digest(path: Path, controllers: Controllers, source: bytes | None = None) -> Controllers:
-    """The same controllers, which know the digest of their file and of those that they read."""
+    """Return the same controllers, which know the digest of their file and of those that they read."""
     try:
         contents = [path.read_bytes() if source is None else source]
         contents += [each.read_bytes() for each in _files(path, files_of(controllers))[1:]]
@@ -289,7 +289,7 @@ def _is_of_code(error: BaseException) -> bool:
 
 
 def said_by(error: BaseException, path: Path | str) -> str:
-    """What an error of somebody's controller says, with the last line of their file that led to it."""
+    """Return what an error of somebody's controller says, with the last line of their file that led to it."""
     if isinstance(error, ForceError):
         return f"{path}{'' if error.line is None else f', line {error.line}'}: {error.message}"
     kind, detail = type(error).__name__, str(error)

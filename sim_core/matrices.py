@@ -53,7 +53,7 @@ def gauss_legendre(points: int) -> tuple[FloatArray, FloatArray]:
 
 
 def lyapunov(A: FloatArray, Q: FloatArray) -> FloatArray:
-    """The X (n, n) of A X + X Aᵀ = Q, as one linear system: for matrices of a few rows."""
+    """Return the X (n, n) of A X + X Aᵀ = Q, as one linear system: for matrices of a few rows."""
     identity = np.eye(len(A))
     X = np.linalg.solve(np.kron(A, identity) + np.kron(identity, A), Q.ravel())
     return np.asarray(X, dtype=np.float64).reshape(Q.shape)
@@ -87,7 +87,7 @@ def riccati(A: FloatArray, B: FloatArray, Q: FloatArray, R: FloatArray, N: Float
 
 
 def solve(a: FloatArray, b: FloatArray) -> FloatArray:
-    """The x (n, k) of a·x = b.
+    """Return the x (n, k) of a·x = b.
 
     Raises:
         RidelabError: The matrix is singular.

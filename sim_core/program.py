@@ -13,7 +13,7 @@ from sim_core.kernel.library import DIGEST
 
 
 def program(strategy: type[Controller]) -> dict[str, str]:
-    """What computes its results.
+    """Return what computes its results.
 
     The core's version, the digest of the kernel's sources and flags, OSQP's version, and the digest of the controller's
     own file (`Controller.file_digest` of one that `load_controllers` loaded). Another processor or another BLAS

@@ -17,7 +17,7 @@ ROUNDING = 1e-6  # of the largest force: what changes by less does not jump
 
 
 def no_columns(_: slice) -> Mapping[str, FloatArray]:
-    """Of time histories that are all there."""
+    """Return no columns: of time histories that are all there."""
     return {}
 
 
@@ -48,7 +48,7 @@ class Series(Mapping[str, FloatArray]):
         return self.between(key, 0, self._length)
 
     def between(self, key: str, start: int, end: int, dtype: type[np.floating[Any]] = np.float64) -> NDArray[Any]:
-        """A signal's samples from `start` up to before `end`."""
+        """Return a signal's samples from `start` up to before `end`."""
         if key in self._shared:
             return np.asarray(self._shared[key][start:end], dtype)
         rows, each = self._columns[key], self._each
@@ -56,7 +56,7 @@ class Series(Mapping[str, FloatArray]):
         return rows[first : -(-end // each), :-1].astype(dtype).ravel()[start - first * each : end - first * each]
 
     def at(self, key: str, samples: NDArray[np.intp]) -> FloatArray:
-        """A signal at these samples alone."""
+        """Return a signal at these samples alone."""
         if key in self._shared:
             return self._shared[key][samples]
         return self._columns[key][np.divmod(samples, self._each)]
@@ -75,7 +75,7 @@ class Series(Mapping[str, FloatArray]):
         return samples[jumped]
 
     def with_jumps(self, key: str, start: int, end: int, dtype: type[np.floating[Any]] = np.float64) -> NDArray[Any]:
-        """A signal's samples from `start` up to before `end`, those before jumps counted and among them.
+        """Return a signal's samples from `start` up to before `end`, those before jumps counted and among them.
 
         There are as many more than in the histories as there are `jumps`: two at each such instant, the values before
         and after it.
@@ -89,7 +89,7 @@ class Series(Mapping[str, FloatArray]):
         return np.insert(values, jumps - (start - first), before.astype(dtype))
 
     def of_commands(self, start: int, end: int) -> "Series":
-        """Of the held commands that the samples from `start` up to before `end` belong to; no other one's are made."""
+        """Return the samples of the held commands to which those from `start` to before `end` belong, and no others."""
         first, last = start // self._each, -(-end // self._each)
         samples = slice(first * self._each, last * self._each)
 
@@ -99,11 +99,11 @@ class Series(Mapping[str, FloatArray]):
         return Series({key: values[samples] for key, values in self._shared.items()}, columns, self._each)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """As its histories, put together."""
+        """Return its histories, put together."""
         return type(self), ({key: self[key] for key in self}, no_columns)
 
     def columns(self, key: str) -> FloatArray:
-        """A signal with its values at both ends of every held command (n, samples + 1).
+        """Return a signal with its values at both ends of every held command (n, samples + 1).
 
         Raises:
             KeyError: It is none of those a suspension changes.
@@ -115,7 +115,7 @@ class Series(Mapping[str, FloatArray]):
         return iter(SIGNALS)
 
     def __len__(self) -> int:
-        """How many there are."""
+        """Return how many there are."""
         return len(SIGNALS)
 
 

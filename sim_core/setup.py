@@ -13,7 +13,7 @@ class BuildLibrary(build_ext):
     """The core's C for each kind of processor, which `sim_core.kernel.library` loads: no modules, and not called so."""
 
     def get_ext_filename(self, fullname: str) -> str:
-        """Its file."""
+        """Return its file."""
         return str(Path(*fullname.split(".")).with_suffix(".so.1"))
 
     def build_extension(self, ext: Extension) -> None:
@@ -31,7 +31,7 @@ class BuildPackage(build_py):
     """The package without this file."""
 
     def find_package_modules(self, package: str, package_dir: str) -> list[tuple[str, str, str]]:
-        """Its modules: package, name and file of each."""
+        """Return its modules: package, name and file of each."""
         return [
             each for each in super().find_package_modules(package, package_dir) if each[:2] != ("sim_core", "setup")
         ]

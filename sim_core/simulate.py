@@ -55,7 +55,7 @@ def on_dummy_road(scenario: Scenario) -> Scenario:
 
 
 def prepare(scenario: Scenario, strategy: str | type[Controller] | Controller) -> Run:
-    """The run that `simulate` drives: its controller, its speed plan, and the road under its axles.
+    """Return the run that `simulate` drives: its controller, its speed plan, and the road under its axles.
 
     Raises:
         UnknownNameError: No such strategy.

@@ -35,7 +35,7 @@ def significant(value: float, digits: int = 3) -> str:
 
 
 def exact(value: float) -> str:
-    """Every digit a value has, up to ten."""
+    """Return every digit a value has, up to ten."""
     if value == 0:
         return "0"
     if not 1e-4 <= abs(value) < 1e9:
@@ -45,7 +45,7 @@ def exact(value: float) -> str:
 
 
 def with_unit(text: str, unit: str) -> str:
-    """A number and its unit, which stay on one line."""
+    """Return a number and its unit, which stay on one line."""
     shown = pretty_unit(unit)
     return f"{text}\u00a0{shown}" if shown else text
 
@@ -63,19 +63,19 @@ def percent(change: float, half: float = 0.0) -> str:
 
 
 def printed(change: float) -> str:
-    """A change as the paper prints it, with all of its digits."""
+    """Return a change as the paper prints it, with all of its digits."""
     sign = "−" if change < 0 else "+"
     return f"{sign}{abs(change):g}{_THIN}%"
 
 
 def plus_minus(shown: str, half: float) -> str:
-    """A shown result with half its interval's width: as many decimals, more only where it would be 0."""
+    """Return a shown result with half its interval's width: as many decimals, more only where it would be 0."""
     text = f"{half:.{len(shown.partition('.')[2])}f}"
     return f"{shown} ± {significant(half, 1) if float(text) == 0 or '×' in shown else text}"
 
 
 def in_words(value: Any) -> str:
-    """A metric as text: yes, no, a count with every digit, or three digits of a measure."""
+    """Return a metric as text: yes, no, a count with every digit, or three digits of a measure."""
     if isinstance(value, bool):
         return "yes" if value else "no"
     if not isinstance(value, int | float):
@@ -87,7 +87,7 @@ def in_words(value: Any) -> str:
 
 
 def amount(value: float, unit: str) -> str:
-    """An amount within a sentence: two digits below ten, whole from there on."""
+    """Return an amount within a sentence: two digits below ten, whole from there on."""
     return with_unit(exact(float(f"{value:.2g}")) if value < 10 else exact(float(round(value))), unit)
 
 
@@ -98,7 +98,7 @@ def _power(value: float, digits: str) -> str:
 
 
 def _minus(text: str) -> str:
-    """A real minus sign, which is as wide as a plus."""
+    """Return a real minus sign, which is as wide as a plus."""
     return f"−{text[1:]}" if text.startswith("-") else text
 
 

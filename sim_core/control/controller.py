@@ -132,12 +132,12 @@ class Controller:
 
     @classmethod
     def description(cls) -> str:
-        """The first line of its docstring."""
+        """Return the first line of its docstring."""
         return (cls.__doc__ or "").strip().partition("\n")[0]
 
     @classmethod
     def options(cls) -> dict[str, Option]:
-        """Its own fields by their names."""
+        """Return its own fields by their names."""
         return {name: each for name, each in cls.declared.items() if isinstance(each, Option)}
 
     @property
@@ -146,7 +146,7 @@ class Controller:
         return self.prediction_horizon
 
     def for_scenario(self, scenario: Scenario) -> Self:
-        """A copy for one run: a scenario field has that scenario's value, unless the object was given one.
+        """Return a copy for one run: a scenario field has that scenario's value, unless the object was given one.
 
         Raises:
             RidelabError: A field does not take the value that the object or the scenario has for it.
@@ -164,7 +164,7 @@ class Controller:
         """Prepare for a run; called once before its first step."""
 
     def force(self, seen: Seen) -> Force | None:
-        """Both actuators' forces for one control step: front and rear [N], up on the body.
+        """Return both actuators' forces for one control step: front and rear [N], up on the body.
 
         They are held for one sample time, and kept within the force limit. By default those of `linear_law`.
 
@@ -183,7 +183,7 @@ class Controller:
         return linear_force(law, seen)
 
     def linear_law(self, stage: str) -> LinearLaw | None:
-        """The law of a driving stage while no limit binds; None for a controller that is not linear.
+        """Return the law of a driving stage while no limit binds; None for a controller that is not linear.
 
         Where its forces are within the force limit and its own limits hold, they are the command. Elsewhere `force` is
         asked. It should be the same object in each call, so that what is prepared for it is kept. A delayed controller
@@ -196,7 +196,7 @@ class Controller:
         return None
 
     def plan(self, seen: Seen) -> Plan | None:
-        """What it plans for the coming control steps; None for a controller that plans nothing.
+        """Return what it plans for the coming control steps; None for a controller that plans nothing.
 
         Asked where somebody wants to know why a force was commanded, between `start` and `end`, never during a run. Of
         a delayed controller `seen.previous_force` is here what it answered last.
@@ -204,7 +204,7 @@ class Controller:
         return None
 
     def dampers(self) -> SemiActiveDampers | None:
-        """The car's dampers where this controller sets their coefficients; None where actuators act beside them.
+        """Return the car's dampers where this controller sets their coefficients; None where actuators act beside them.
 
         `force` then says what control adds to the passive damper's force, up on the body, and each damper gives the
         nearest to it that its least and most coefficient allow at its speed. A law that knows hard and soft only asks
@@ -213,7 +213,7 @@ class Controller:
         return None
 
     def arrivals(self, setup: Setup) -> NDArray[np.intp]:
-        """Of a delayed controller: the short step at which each control step's command takes effect (steps,).
+        """Return, of a delayed controller, the short step at which each control step's command takes effect (steps,).
 
         Short steps are `setup.short_step` long and count from the first control step's beginning; a command that is to
         arrive after the run never does.
@@ -250,12 +250,12 @@ def linear_force(law: LinearLaw, seen: Seen) -> FloatArray:
 
 
 def undefined(controller: Controller, methods: str) -> RefusedError:
-    """The error of a controller whose class has to define one of these methods, and does not."""
+    """Return the error of a controller whose class has to define one of these methods, and does not."""
     return RefusedError(f"{type(controller).__name__} has to define {methods}")
 
 
 def scenario_value(scenario: Scenario, name: str) -> Any:
-    """The value of a scenario's field, or a whole part, by its dotted name.
+    """Return the value of a scenario's field, or a whole part, by its dotted name.
 
     Raises:
         UnknownNameError: A scenario has no such field.
@@ -278,7 +278,7 @@ _option_fields: WeakKeyDictionary[type[Controller], _OptionFields] = WeakKeyDict
 
 
 def option_fields(kind: type[Controller]) -> Mapping[str, dotted.DottedField]:
-    """A controller's options as fields of the scenario, by their own names."""
+    """Return a controller's options as fields of the scenario, by their own names."""
     options = kind.options()
     known = _option_fields.get(kind)
     if known is None or known[0] != options:
@@ -308,7 +308,7 @@ def _option_field(kind: type[Controller], name: str, annotation: Any) -> dotted.
 
 
 def checked_value(kind: type[Controller], name: str, value: Any) -> Any:
-    """A field's value, of its type and within its bounds.
+    """Return a field's value, of its type and within its bounds.
 
     Raises:
         RidelabError: There is no such field, or it does not take the value; the message begins with the field's name.

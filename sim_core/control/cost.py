@@ -129,7 +129,7 @@ def stage_cost(terms: CostTerms) -> FloatArray:
 
 
 def cost_by_output(terms: CostTerms, z: FloatArray) -> FloatArray:
-    """What each of `half_car.OUTPUTS` adds to the cost [1] of intervals z (n, 13): (n, 6).
+    """Return what each of `half_car.OUTPUTS` adds to the cost [1] of intervals z (n, 13): (n, 6).
 
     z as in `stage_cost`, whose force term is not among them.
     """
@@ -138,7 +138,7 @@ def cost_by_output(terms: CostTerms, z: FloatArray) -> FloatArray:
 
 
 def _scales(terms: CostTerms) -> FloatArray:
-    """What each cost output's mean square is multiplied by (6,)."""
+    """Return what each cost output's mean square is multiplied by (6,)."""
     in_turn = np.array(passive_rms(terms.vehicle, terms.speed))
     sigma = np.maximum(passive_rms(terms.vehicle, terms.speed, terms.rear_axle_offset), LEAST_RMS * in_turn)
     q1, q2, q3 = terms.weights

@@ -44,7 +44,7 @@ class DampingController(Controller):
         self._law = LinearLaw(gain=np.hstack([self.damping(setup), np.zeros((FORCES, FORCES))]))
 
     def linear_law(self, stage: str) -> LinearLaw:
-        """The same in every stage."""
+        """Return the same in every stage."""
         return self._law
 
     def dampers(self) -> SemiActiveDampers | None:

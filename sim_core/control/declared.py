@@ -46,7 +46,7 @@ class Option(DeclaredField):
 
 
 def scenario_field(name: str) -> Any:
-    """A field of a controller that takes its value from the scenario.
+    """Return a field of a controller that takes its value from the scenario.
 
     Args:
         name: Dotted name of the scenario's field, such as `mpc.force_weight`, or of a whole part.
@@ -63,7 +63,7 @@ def scenario_field(name: str) -> Any:
 
 
 def option(default: Any, *, unit: str = "1", ge: float | None = None, le: float | None = None, help: str = "") -> Any:  # noqa: A002 - what it is to whoever sets it
-    """A field of a controller that is its own.
+    """Return a field of a controller that is its own.
 
     Args:
         default: Its value where nobody gives one.

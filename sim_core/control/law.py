@@ -74,7 +74,7 @@ class LinearLaw:
     def force(
         self, state: FloatArray, previous_force: FloatArray, disturbances: FloatArray | None = None
     ) -> FloatArray:
-        """The law's forces (2,) [N].
+        """Return the law's forces (2,) [N].
 
         Args:
             state: (8,).

@@ -46,7 +46,7 @@ class PredictiveController(Controller):
     _both_failed = False  # in one of its QPs
 
     def weights(self, stage: str) -> Weights:
-        """Of body acceleration, pitch acceleration and tyre load in a driving stage.
+        """Return the weights of body acceleration, pitch acceleration and tyre load in a driving stage.
 
         Raises:
             RidelabError: The class does not define it.
@@ -54,7 +54,7 @@ class PredictiveController(Controller):
         raise undefined(self, "weights(stage)")
 
     def designs(self, setup: Setup) -> dict[str, MpcDesign]:
-        """The MPC of each driving stage.
+        """Return the MPC of each driving stage.
 
         Raises:
             RidelabError: The vehicle and weights admit no stabilising controller.
@@ -80,16 +80,16 @@ class PredictiveController(Controller):
             self.report.solves, self.report.max_slack = int(solved) + self.report.failures, most_slack
 
     def linear_law(self, stage: str) -> LinearLaw | None:
-        """The stage's unconstrained optimum."""
+        """Return the stage's unconstrained optimum."""
         return self._designs[stage].law
 
     def qp(self, stage: str) -> Qp | None:
-        """The stage's, where C solves it: none if a subclass decides these steps by a `force` of its own."""
+        """Return the stage's, where C solves it: none if a subclass decides these steps by a `force` of its own."""
         in_c = self.solver == "daqp" and type(self).force is PredictiveController.force
         return (self._designs[stage].qp, self._qps) if self._qps and in_c else None
 
     def force(self, seen: Seen) -> FloatArray | None:
-        """The first forces of the constrained optimum (2,) [N].
+        """Return the first forces of the constrained optimum (2,) [N].
 
         Raises:
             TooExpensiveError: The run's QPs have taken all that one run's may.
@@ -113,7 +113,7 @@ class PredictiveController(Controller):
         return seen.previous_force
 
     def plan(self, seen: Seen) -> Plan | None:
-        """The constrained optimum over the horizon; None where no solver proves one."""
+        """Return the constrained optimum over the horizon; None where no solver proves one."""
         design = self._designs[seen.stage]
         return make_plan(design, self._solvers(), seen.state, seen.previous_force, seen.disturbances)
 

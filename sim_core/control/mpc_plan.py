@@ -25,7 +25,7 @@ _NEVER = 1e6  # times a bound: never met
 def make_plan(
     design: MpcDesign, solvers: Sequence[str], state: FloatArray, previous_force: FloatArray, disturbances: FloatArray
 ) -> Plan | None:
-    """The plan of a control step; None where no solver proves an optimum.
+    """Return the plan of a control step; None where no solver proves an optimum.
 
     Args:
         design: Of its driving stage.
@@ -66,7 +66,7 @@ def _prediction(design: MpcDesign, horizon: int) -> Prediction:
 
 
 def _limits(qp: QpDesign, qps: Qps, inputs: FloatArray, values: FloatArray, multipliers: FloatArray) -> list[Limit]:
-    """Of each axle's force over the moves, then of its deflection at the end of each interval."""
+    """Return one entry for each axle's force over the moves, then for its deflection at the end of each interval."""
     free = qp.moves
     upper, lower = np.split(multipliers[free + AXLES :], 2)
     of_values = np.concatenate([multipliers[:free], upper - lower])
@@ -92,7 +92,7 @@ def _limits(qp: QpDesign, qps: Qps, inputs: FloatArray, values: FloatArray, mult
 
 @cached
 def _without(qp: QpDesign, rows: tuple[int, ...]) -> QpDesign:
-    """The same QP without the bounds of these of its values."""
+    """Return the same QP without the bounds of these of its values."""
     wider = np.ones(len(qp.bounds))
     wider[list(rows)] = _NEVER
     moves = np.append(wider[: qp.moves], np.ones(AXLES))

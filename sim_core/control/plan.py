@@ -39,7 +39,7 @@ class Limit:
 
     @property
     def multiplier(self) -> float | None:
-        """By how much the cost falls where the bound is raised for all values [1/unit]."""
+        """How much the cost falls where the bound is raised for all values [1/unit]."""
         return None if self.multipliers is None else float(np.abs(self.multipliers).sum())
 
 

@@ -40,7 +40,7 @@ class Qps(QpMemory):
         self._osqp: dict[QpDesign, OsqpSolver] = {}
 
     def solve(self, design: QpDesign, solver: str, inputs: FloatArray) -> FloatArray | None:
-        """The optimal forces (2,) [N] of a control step; None without a proven answer.
+        """Return the optimal forces (2,) [N] of a control step; None without a proven answer.
 
         Args:
             design: Of its driving stage.

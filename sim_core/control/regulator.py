@@ -27,7 +27,7 @@ class Regulator:
 
 @small_cached(512)
 def regulator(terms: CostTerms) -> Regulator:
-    """The LQR of that cost: P = A'PA + Q - (A'PB + N)(R + B'PB)⁻¹(B'PA + N').
+    """Return the LQR of that cost: P = A'PA + Q - (A'PB + N)(R + B'PB)⁻¹(B'PA + N').
 
     Returns:
         Its `gain` (2, 8), on the state and for forces in N, and its `P` (8, 8).
@@ -60,7 +60,7 @@ def regulator(terms: CostTerms) -> Regulator:
 
 @small_cached(64)
 def feedforward(terms: CostTerms, horizon: int) -> FloatArray:
-    """What the LQR's force has beside -K x where disturbances to come are known: gains on them (2, 3 · horizon).
+    """Return what the LQR's force has beside -K x where disturbances to come are known: gains on them (2, 3 · horizon).
 
     For forces in N, as `LinearLaw.preview_gain`: on the front road velocity [m/s] in all steps, then on the rear one,
     then on the deceleration [m/s^2].

@@ -60,7 +60,7 @@ class Setup:
         return self.sample_time / self.short_steps
 
     def cost(self, weights: Weights, deflection_weight: float, force_weight: float) -> CostTerms:
-        """The normalised cost that LQR and MPC minimise, of this run's car and limits.
+        """Return the normalised cost that LQR and MPC minimise, of this run's car and limits.
 
         docs/explanation/cost-and-lqr.md has the formulas.
 
@@ -173,7 +173,7 @@ class Seen:
 
     @property
     def measurement(self) -> FloatArray:
-        """By the car's own sensors, with the noise that `estimation` states, whether its filter is used or not (4,).
+        """What the car's own sensors measure, with the noise of `estimation`, whether its filter is used or not (4,).
 
         Suspension deflections front and rear [m], body acceleration [m/s^2], pitch rate [rad/s].
         """

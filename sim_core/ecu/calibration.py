@@ -118,7 +118,7 @@ def calibrate(
 
 
 def _rows_checked(free: int, intervals: int, checked: Checked) -> NDArray[np.intp]:
-    """Which of the law's checks the program makes; the first two, its commands, always."""
+    """Return which of the law's checks the program makes; the first two, its commands, always."""
     if checked == "all":
         return np.arange(free + AXLES * intervals, dtype=np.intp)
     some = np.arange(2, intervals, 3)

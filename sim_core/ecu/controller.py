@@ -61,7 +61,7 @@ class EcuController(PredictiveController):
         return self.prediction_horizon + (self.hil.compensation == "predict")
 
     def calibration(self, setup: Setup) -> Calibration:
-        """What the ECU's program knows in such a run.
+        """Return what the ECU's program knows in such a run.
 
         Raises:
             RidelabError: The vehicle and weights admit no stabilising controller.
@@ -104,7 +104,7 @@ class EcuController(PredictiveController):
         return plan and replace(plan, begins=int(calibration.predicts))
 
     def force(self, seen: Seen) -> FloatArray | None:
-        """What the program answers; None where nothing came in time."""
+        """Return what the program answers; None where nothing came in time."""
         codes, clipped = self._codes(seen)
         self.report.clipped_values = (self.report.clipped_values or 0) + clipped
         reply = self._ecu.exchange(Frame(step=seen.step, stage=STAGES.index(self._stage(seen)), codes=codes))
@@ -114,7 +114,7 @@ class EcuController(PredictiveController):
         return np.array(reply.commands) * (self._calibration.command_step * KILO)
 
     def _codes(self, seen: Seen) -> tuple[Codes, int]:
-        """What its converters give, and how many values were beyond their range."""
+        """Return what its converters give, and how many values were beyond their range."""
         values = np.concatenate([seen.state, seen.disturbances.ravel()]) + self._noise[seen.step]
         return convert(values, self._full_scale, self._calibration.bits)
 
@@ -123,7 +123,7 @@ class EcuController(PredictiveController):
         return seen.next_stage if self._calibration.predicts else seen.stage
 
     def arrivals(self, setup: Setup) -> NDArray[np.intp]:
-        """A control step later, and by the jitter; one after the end of the run where it is lost."""
+        """Return a control step later, and by the jitter; one after the end of the run where it is lost."""
         steps, n = setup.steps, setup.short_steps
         latest = round(self.hil.jitter / setup.short_step)
         delays = np.random.default_rng((self.hil.seed, _JITTER)).integers(0, latest, size=steps, endpoint=True)
@@ -131,7 +131,7 @@ class EcuController(PredictiveController):
         return np.where(lost, steps * n, (np.arange(steps) + 1) * n + delays)
 
     def _draw_noise(self, setup: Setup) -> FloatArray:
-        """What noise adds to the inputs in each control step (steps, 8 + 3 · preview_steps)."""
+        """Return what noise adds to the inputs in each control step (steps, 8 + 3 · preview_steps)."""
         shape = (setup.steps, len(self._full_scale))
         if not self.hil.noise:
             return np.broadcast_to(0.0, shape)

@@ -24,7 +24,7 @@ _ecu_step = Function(
 
 
 def in_process(calibration: Calibration) -> AbstractContextManager[Ecu]:
-    """A `Connect` that needs neither process nor compiler."""
+    """Return a `Connect` that needs neither process nor compiler."""
     return nullcontext(CompiledEcu(calibration))
 
 

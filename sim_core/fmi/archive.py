@@ -28,7 +28,7 @@ _OLD_NAMES = {
 
 
 def unpack(content: bytes) -> tuple[Description, Path, Path]:
-    """What an FMU says of itself, its folder, and its library for this machine.
+    """Return what an FMU says of itself, its folder, and its library for this machine.
 
     Raises:
         RidelabError: It is no FMU that can be driven here; the message says why.
@@ -66,7 +66,7 @@ def _check(archive: zipfile.ZipFile) -> None:
 
 
 def _is_whole(folder: Path, archive: zipfile.ZipFile) -> bool:
-    """Whether all files are there as they were packed; code that the disk changed would compute other numbers."""
+    """Check whether all files are there as they were packed; code that the disk changed would compute other numbers."""
     try:
         return all(
             zlib.crc32((folder / entry.filename).read_bytes()) == entry.CRC
@@ -91,7 +91,7 @@ def _library(description: Description, names: list[str]) -> str:
 
 
 def _store() -> Path:
-    """Where FMUs are unpacked, each once: a folder that nobody else may write to.
+    """Return where FMUs are unpacked, each once: a folder that nobody else may write to.
 
     Raises:
         RidelabError: There is no such folder.

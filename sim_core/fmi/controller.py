@@ -69,7 +69,7 @@ class FmuController(Controller):
         self._instance.begin(list(self._options()))
 
     def force(self, seen: Seen) -> FloatArray:
-        """Both outputs after a step from what is seen.
+        """Return both outputs after a step from what is seen.
 
         Raises:
             RidelabError: The FMU reports an error.
@@ -91,7 +91,7 @@ class FmuController(Controller):
             self._instance.end()
 
     def _place(self, name: str) -> int:
-        """Of an input in what `_values` gives."""
+        """Return where an input stands in what `_values` gives."""
         if previewed := _PREVIEWED.fullmatch(name):
             kind = _PREVIEWED_KINDS.index(previewed[1])
             return len(_FIXED) + kind * self.prediction_horizon + int(previewed[2]) - 1
@@ -127,7 +127,7 @@ def _typed(fmu: Description, variables: Iterable[Variable]) -> Iterable[tuple[Nu
 
 
 def controllers_of_fmu(path: Path, content: bytes) -> dict[str, type[Controller]]:
-    """The controller that an FMU is, by its id: the file's name.
+    """Return the controller that an FMU is, by its id: the file's name.
 
     Args:
         path: Of its file.
@@ -172,7 +172,7 @@ def controllers_of_fmu(path: Path, content: bytes) -> dict[str, type[Controller]
 
 
 def _checked(fmu: Description) -> int:
-    """How many steps ahead its inputs look.
+    """Return how many steps ahead its inputs look.
 
     Raises:
         RidelabError: It lacks a force, or wants what Ridelab does not give.

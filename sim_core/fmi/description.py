@@ -43,7 +43,7 @@ class Description:
 
 
 def read_description(content: bytes) -> Description:
-    """What the file says.
+    """Return what the file says.
 
     Raises:
         RidelabError: It is none, or of an FMU that cannot be driven here; the message says why.

@@ -36,7 +36,7 @@ class Numbers:
     """Variables of one type that are set or read together."""
 
     def __init__(self, description: Description, kind: str, references: Sequence[int]) -> None:
-        """Of the variables with these value references."""
+        """Return the values of the variables with these value references."""
         number = (c_bool if description.version == 3 else c_int) if kind == "Boolean" else _KINDS[kind]
         self.kind = kind
         self.number = bool if kind == "Boolean" else float if number in (c_double, ctypes.c_float) else round

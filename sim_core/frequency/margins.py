@@ -18,7 +18,7 @@ _CROSSED = 4  # curves whose zeros are looked for
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LoopMargin:
-    """Of one axle's loop, the other one closed.
+    """Margins of one axle's loop, the other one closed.
 
     Attributes:
         gain: The loop becomes unstable where its gain is multiplied by this, above 1 [1]; None: by no factor.
@@ -35,7 +35,7 @@ class LoopMargin:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Margins:
-    """Of a strategy's loop.
+    """Margins of a strategy's loop.
 
     Attributes:
         front: Of the front axle's loop.
@@ -137,7 +137,7 @@ def _curves(loop: SampledLoop, angle: FloatArray) -> FloatArray:
 
 
 def _structured(M: ComplexArray) -> FloatArray:
-    """The structured singular value of each matrix (frequencies, 2, 2) for two complex factors on the diagonal.
+    """Return the structured singular value of each matrix (frequencies, 2, 2) for two complex factors on the diagonal.
 
     Scaled by diag(d, 1) a matrix keeps its determinant, so its largest singular value is least where its Frobenius norm
     is: |m12| d = |m21| / d. For two blocks that bound is the value itself (Packard and Doyle 1993).

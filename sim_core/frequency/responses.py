@@ -90,7 +90,7 @@ def frequency_response(
     outputs: Sequence[str] = RESPONSES,
     stage: str = "cruise",
 ) -> FrequencyResult:
-    """What a strategy does at each frequency while no limit binds.
+    """Return what a strategy does at each frequency while no limit binds.
 
     Inside are the held force, the actuator's lag, the estimator, an ECU's delay and the preview; not noise, converters,
     the limits of forces. In stage `bump` a car that brakes for it is driven at the target speed, else at its first one.
@@ -150,12 +150,12 @@ def frequency_response(
 
 
 def passive_modes(scenario: Scenario) -> tuple[Mode, ...]:
-    """Of the real car by itself, with the mean of unequal dampers."""
+    """Return the modes of the real car by itself, with the mean of unequal dampers."""
     return _modes(np.linalg.eigvals(half_car(scenario.real_vehicle).A).astype(np.complex128))
 
 
 def modes(closed: FloatArray, step: float) -> tuple[Mode, ...]:
-    """Of z' = closed·z over a step [s]; what is gone after a step is left out."""
+    """Return the modes of z' = closed·z over a step [s]; what is gone after a step is left out."""
     eigenvalues = np.linalg.eigvals(closed).astype(np.complex128)
     return _modes(np.asarray(np.log(eigenvalues[np.abs(eigenvalues) > NEGLIGIBLE]) / step, dtype=np.complex128))
 
@@ -169,7 +169,7 @@ def _modes(poles: ComplexArray) -> tuple[Mode, ...]:
 
 
 def _responses(loop: SampledLoop, omega: FloatArray) -> ComplexArray:
-    """Of all outputs per metre of road height (frequencies, 6)."""
+    """Return the response of all outputs per metre of road height (frequencies, 6)."""
     car, outputs = continuous(loop.vehicle, loop.run.actuator), half_car(loop.vehicle)
     s, h, size = 1j * omega, loop.step, len(loop.within)
     behind = loop.run.scenario.rear_axle_offset
@@ -192,7 +192,7 @@ def _responses(loop: SampledLoop, omega: FloatArray) -> ComplexArray:
 
 
 def _road_in_step(loop: SampledLoop, omega: FloatArray, of_road: ComplexArray) -> ComplexArray:
-    """What the road adds to filter and car in one control step (frequencies, 8 + n or n).
+    """Return what the road adds to filter and car in one control step (frequencies, 8 + n or n).
 
     From rest a car under a steady motion X exp(jωt) gets (exp(jωh) - Φ) X in a step h, exactly.
     """

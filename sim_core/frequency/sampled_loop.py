@@ -74,12 +74,12 @@ class SampledLoop:
 
 
 def predicts(controller: Controller) -> bool:
-    """Whether the state is predicted for the moment at which a command takes effect."""
+    """Check whether the state is predicted for the moment at which a command takes effect."""
     return isinstance(controller, EcuController) and controller.hil.compensation == "predict"
 
 
 def stage_law(run: Run, stage: str) -> LinearLaw:
-    """The law of a stage while no limit binds, an ECU's too.
+    """Return the law of a stage while no limit binds, an ECU's too.
 
     Raises:
         NotLinearError: It has none.
@@ -108,7 +108,7 @@ def stage_law(run: Run, stage: str) -> LinearLaw:
 
 
 def sampled_loop(run: Run, law: LinearLaw, vehicle: Vehicle, speed: float) -> SampledLoop:
-    """The loop of a prepared run with one stage's law and a linear car that is driven at one speed [m/s].
+    """Return the loop of a prepared run with one stage's law and a linear car that is driven at one speed [m/s].
 
     Raises:
         RidelabError: There is no stable filter.

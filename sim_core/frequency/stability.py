@@ -82,7 +82,7 @@ def damping(closed: FloatArray, step: float) -> float:
 
 
 def _near_rest(vehicle: Vehicle) -> Vehicle:
-    """As it is around rest: no further stop is met, no tyre lifts off, dampers are straight in either direction."""
+    """Return the car around rest: no further stop is met, no tyre lifts off, dampers are straight either way."""
     front, rear = vehicle.damping_at_rest
     changes: dict[str, object] = {"bump_stop_clearance": None, "tyre_lift_off": False}
     for axle, clearances in zip(("front", "rear"), zip(*vehicle.stop_clearances, strict=True), strict=True):

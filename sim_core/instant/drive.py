@@ -33,7 +33,7 @@ class Drive:
     inputs: RunInputs
 
     def step_at(self, position: float | None, time: float | None) -> int:
-        """The control step in which the front axle is at a position [m], or at a time [s].
+        """Return the control step in which the front axle is at a position [m], or at a time [s].
 
         Raises:
             RidelabError: It is outside the road, or not one of both is given.

@@ -102,7 +102,7 @@ def instant(
     position: float | None = None,
     time: float | None = None,
 ) -> Instant:
-    """What a controller saw and decided in the control step of its run at a position or at a time.
+    """Return what a controller saw and decided in the control step of its run at a position or at a time.
 
     The run of a strategy that is named by its id is driven once, and cached while other instants of it are asked for.
     That of a class or an object is driven in each call, because either may have changed.
@@ -206,7 +206,7 @@ def _parts(law: LinearLaw, seen: Seen) -> dict[str, FloatArray]:
 
 
 def _actuator_limits(drive: Drive, asked: FloatArray | None, previous: FloatArray, *, planned: bool) -> list[Limit]:
-    """Of the force that is asked for, unless a plan keeps it, of its change, and of the actuators' own force."""
+    """Return the limits of the requested force, unless a plan keeps it, of its change, and of the actuators' force."""
     if asked is None or not drive.run.controller.actuated:
         return []
     bounds = drive.run.force_limits()

@@ -34,7 +34,7 @@ def why(
     parts: dict[str, FloatArray] | None,
     state: FloatArray,
 ) -> str:
-    """The sentence.
+    """Return the sentence.
 
     Args:
         actuated: Whether there are actuators.
@@ -83,7 +83,7 @@ def why(
 
 
 def _holding(limits: tuple[Limit, ...], command: FloatArray) -> tuple[Limit, int] | None:
-    """The limit without which the command would change most, and the axle where; None where none changes it."""
+    """Return the limit without which the command would change most, and the axle where; None where none changes it."""
     differences = [
         (float(np.abs(limit.force_without - command).max()), limit, int(np.abs(limit.force_without - command).argmax()))
         for limit in limits

@@ -34,13 +34,13 @@ def digest() -> str:
 
 
 def is_current(library: Path) -> bool:
-    """Whether a library is compiled from these sources with these flags, for the machine that asks."""
+    """Check whether a library is compiled from these sources with these flags, for the machine that asks."""
     content = library.read_bytes() if library.exists() else b""
     return digest().encode() in content and f"{_target([])}\0".encode() in content
 
 
 def default_compiler() -> list[str]:
-    """What CC names, else the machine's compiler, else that of the package ziglang.
+    """Return what CC names, else the machine's compiler, else that of the package ziglang.
 
     Raises:
         FileNotFoundError: There is none.
@@ -56,14 +56,14 @@ def default_compiler() -> list[str]:
 
 
 def best() -> Path:
-    """The library that is made for this processor."""
+    """Return the library that is made for this processor."""
     wide = FOLDER / WIDE_NAME
     has_avx2 = wide.exists() and _PROCESSOR.exists() and " avx2 " in _PROCESSOR.read_text()
     return wide if has_avx2 else FOLDER / NAME
 
 
 def libraries(compiler: list[str]) -> dict[str, tuple[str, ...]]:
-    """The libraries that a compiler makes: name -> options of its own."""
+    """Return the libraries that a compiler makes: name -> options of its own."""
     target = _target(compiler)
     own = ("-s",) if "windows" in target else ("-fPIC",)
     wide = {WIDE_NAME: (*own, "-mavx2")} if target.startswith(X86_64) else {}
@@ -71,13 +71,13 @@ def libraries(compiler: list[str]) -> dict[str, tuple[str, ...]]:
 
 
 def _target(compiler: list[str]) -> str:
-    """The machine it compiles for."""
+    """Return the machine it compiles for."""
     own = f"{platform.machine()}-{platform.system()}"
     return compiler[compiler.index("-target") + 1] if "-target" in compiler else own
 
 
 def command(compiler: list[str], library: Path, *options: str) -> list[str]:
-    """What compiles the library.
+    """Return what compiles the library.
 
     Args:
         compiler: Its command.

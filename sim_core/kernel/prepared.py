@@ -132,7 +132,7 @@ class ControlLawContext:
     clips: bool
 
     def prepared(self) -> CStruct:
-        """What C gets.
+        """Return what C gets.
 
         Raises:
             ValueError: Sizes disagree.
@@ -272,7 +272,7 @@ class DrivenCar:
         return measured
 
     def sample(self, first: int, last: int, loop: FloatArray) -> FloatArray:
-        """The samples of the steps from `first` to before `last`, as they were driven (10, steps, fine + 1).
+        """Return the samples of the steps from `first` to before `last`, as they were driven (10, steps, fine + 1).
 
         Args:
             first: Index of a step.

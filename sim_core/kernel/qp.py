@@ -112,7 +112,7 @@ class QpMemory:
         self._force = np.empty(_FORCES)
 
     def both(self, design: QpDesign, inputs: int) -> tuple[CStruct, CStruct]:
-        """Those of a driving stage and this, for C.
+        """Return those of a driving stage and this, for C.
 
         Raises:
             ValueError: Sizes disagree, also with the number of the law's inputs.
@@ -126,11 +126,11 @@ class QpMemory:
         _pose_qp(*self.both(design, len(inputs)), inputs)
 
     def solve_in_c(self, design: QpDesign, inputs: FloatArray) -> FloatArray | None:
-        """The optimal forces (2,) [N] then, with f, b, y and multipliers; None without a proven answer."""
+        """Return the optimal forces (2,) [N] then, with f, b, y and multipliers; None without a proven answer."""
         return self._force if _solve_qp(*self.both(design, len(inputs)), inputs, self._force) else None
 
     def residual(self, design: QpDesign) -> float:
-        """The largest violation of the KKT conditions by f, b, y and multipliers.
+        """Return the largest violation of the KKT conditions by f, b, y and multipliers.
 
         Of limits it is in kN and cm, of the others relative; NaN or infinity for an answer that is not finite. For a
         strictly convex QP zero means optimal (Boyd and Vandenberghe 2004, 5.5.3). Each row of the gradient is judged by

@@ -93,7 +93,7 @@ class ClosedLoop:
 
 
 def control_law_context(forecast: Forecast, force_limits: FloatArray, *, clips: bool) -> ControlLawContext:
-    """What a run's laws share.
+    """Return what a run's laws share.
 
     Args:
         forecast: What its controller previews.
@@ -112,7 +112,7 @@ def control_law_context(forecast: Forecast, force_limits: FloatArray, *, clips: 
 
 
 def checked_force(controller: Controller, force: object, seen: Seen) -> FloatArray:
-    """A controller's forces (2,) [N] for what it saw.
+    """Return a controller's forces (2,) [N] for what it saw.
 
     Raises:
         ForceError: They are not two finite numbers.
@@ -142,7 +142,7 @@ def _force_error(controller: Controller, said: str) -> ForceError:
 
 
 def read_only(array: FloatArray) -> FloatArray:
-    """A view of it that nobody can write through."""
+    """Return a view of it that nobody can write through."""
     view = array.view()
     view.flags.writeable = False
     return view

@@ -63,7 +63,7 @@ class DelayedLoop:
         return Trajectory(loop=loop, asked=asked, limited=limited, held_commands=held_commands)
 
     def _arrivals(self) -> list[int]:
-        """The controller's, if each command arrives after it was asked for.
+        """Return the controller's, if each command arrives after it was asked for.
 
         Raises:
             RidelabError: They are no such numbers.

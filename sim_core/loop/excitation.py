@@ -91,7 +91,7 @@ class StepSizes:
 
 
 def step_sizes(scenario: Scenario, controller: type[Controller] | Controller, plan: SpeedPlan) -> StepSizes:
-    """Those of a controller's run at that speed plan."""
+    """Return those of a controller's run at that speed plan."""
     control = scenario.mpc.sample_time if controller.actuated else SPEED_CONTROL_PERIOD
     short = ceil(control / SHORT_STEP - 1e-9) if controller.delayed else 1
     longest = longest_fine_step(scenario, plan, actuated=controller.actuated)
@@ -151,7 +151,7 @@ def excite(road: Road, rear_axle_offset: float, speed_profile: SpeedProfile, ste
 
 @cached
 def _sampled(speed_profile: SpeedProfile, length: float, rear_axle_offset: float, step: float, fine: int) -> TimeGrid:
-    """The part of `excite` that needs no height; length of the road in m."""
+    """Return the part of `excite` that needs no height; length of the road in m."""
     run_in_steps, steps = speed_profile.control_steps(length, step)
     h = step / fine
 
@@ -189,5 +189,5 @@ def _braking(speed_profile: SpeedProfile, grid: TimeGrid, step: float) -> FloatA
 
 
 def _on_record(speed_profile: SpeedProfile, values: FloatArray, time: FloatArray) -> FloatArray:
-    """A sampled column of the speed profile; one that is zero throughout takes no memory."""
+    """Return a sampled column of the speed profile; one that is zero throughout takes no memory."""
     return speed_profile.sample(values, time) if values.any() else np.broadcast_to(0.0, time.shape)

@@ -46,7 +46,7 @@ class Forecast:
 def preview(
     mode: Preview, scenario: Scenario, speed_profile: SpeedProfile, excitation: Excitation, horizon: int
 ) -> Forecast:
-    """The disturbances over the horizon as expected at each control step.
+    """Return the disturbances over the horizon as expected at each control step.
 
     Args:
         mode: none, wheelbase, lookahead or obstacle.
@@ -72,7 +72,7 @@ def preview(
 
 
 def sliding_forecast(disturbances: FloatArray, horizon: int, height_now: FloatArray) -> Forecast:
-    """The horizon slides over the disturbances of every interval to come (3, steps + horizon - 1).
+    """Return the horizon slides over the disturbances of every interval to come (3, steps + horizon - 1).
 
     Args:
         disturbances: Of every interval.
@@ -100,7 +100,7 @@ def _by_sensors(
     mismatch: Mismatch,
     detection_distance: float,
 ) -> Forecast:
-    """What sensors and speed plan predict for every interval to come."""
+    """Return what sensors and speed plan predict for every interval to come."""
     axles, braking = _sensed_places(
         speed_profile, grid, horizon, rear_axle_offset, mismatch.preview_offset, mismatch.preview_delay
     )

@@ -28,7 +28,7 @@ from sim_core.vehicle.model import Estimator, SemiActiveDampers
 
 
 def run_dampers(scenario: Scenario, controller: Controller) -> SemiActiveDampers | None:
-    """The car's dampers where the controller sets their coefficients, within the limits of forces; else None.
+    """Return the car's dampers where the controller sets their coefficients, within the limits of forces; else None.
 
     Raises:
         RidelabError: The controller says that it has no actuators.
@@ -84,7 +84,7 @@ class Recording:
     first: int
 
     def table(self, commands: slice) -> FloatArray:
-        """The samples of each signal that are on record, as record.h orders them (10, commands, fine + 1).
+        """Return the samples of each signal that are on record, as record.h orders them (10, commands, fine + 1).
 
         A row has those of a held command, from the value after the command has changed to that before it does again.
         """
@@ -130,7 +130,7 @@ class Run:
         return self.preview if self.preview != "none" and self.scenario.estimation.knows_preview else "none"
 
     def setup(self) -> Setup:
-        """What the controller is told before it."""
+        """Return what the controller is told before it."""
         scenario, controller, speed_profile = self.scenario, self.controller, self.speed_profile
         return Setup(
             vehicle=scenario.vehicle,
@@ -173,11 +173,11 @@ class Run:
         return Recording(car=car, trajectory=trajectory, first=self.excitation.grid.run_in_steps * self.steps.short)
 
     def forecast(self, mode: Preview, horizon: int) -> Forecast:
-        """What is expected over so many control steps ahead."""
+        """Return what is expected over so many control steps ahead."""
         return preview(mode, self.scenario, self.speed_profile, self.excitation, horizon)
 
     def estimator(self) -> Estimator | None:
-        """What estimates the state for the controller; None where it has the state itself, or none needs it."""
+        """Return what estimates the state for the controller; None where it has the state itself, or none needs it."""
         scenario, short = self.scenario, self.steps.short
         if not self.controller.actuated or scenario.estimation.kind == "exact":
             return None
@@ -188,7 +188,7 @@ class Run:
         return make_estimator(scenario, step, speed, braking, short, mode=mode, seen=seen)
 
     def car(self, recorder: Recorder | None = None) -> DrivenCar:
-        """The car on its road, and what measures its drive."""
+        """Return the car on its road, and what measures its drive."""
         scenario, excitation = self.scenario, self.excitation
         return make_vehicle(
             scenario.real_vehicle,
@@ -203,7 +203,7 @@ class Run:
         )
 
     def inputs(self, forecast: Forecast) -> RunInputs:
-        """What `Seen` reports, with the forecast of the controller's preview."""
+        """Return what `Seen` reports, with the forecast of the controller's preview."""
         grid, short = self.excitation.grid, self.steps.short
         steps = short * len(grid.position)
         return RunInputs(

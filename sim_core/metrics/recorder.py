@@ -12,7 +12,7 @@ from sim_core.road.profile import kinks
 
 
 def make_recorder(run: Run, windows: Windows) -> Recorder:
-    """Of the run's car in its steps, over the rough road, the bump, and what follows it."""
+    """Return what measures the run's car in its steps, over the rough road, the bump, and what follows it."""
     excitation, short, vehicle = run.excitation, run.steps.short, run.scenario.real_vehicle
     lifted = [-static for static in vehicle.static_loads]
     least = lifted if vehicle.tyre_lift_off else [-inf, -inf]  # one that does not lift off pulls on the road

@@ -40,7 +40,7 @@ class Windows:
 
 
 def windows_of(run: Run) -> Windows:
-    """Where a run's windows lie."""
+    """Return where a run's windows lie."""
     scenario = run.scenario
     start, end, length = scenario.bump_start, scenario.bump_left, scenario.road.length
     return _windows(run.excitation.grid, run.speed_profile, start, min(end, length), length)
@@ -48,7 +48,7 @@ def windows_of(run: Run) -> Windows:
 
 @cached
 def _windows(grid: TimeGrid, speed_profile: SpeedProfile, start: float, end: float, length: float) -> Windows:
-    """Those of the road up to the bump's start [m], from there to its end, and from there on."""
+    """Return those of the road up to the bump's start [m], from there to its end, and from there on."""
     h = grid.fine_step
     bounds = [0.0, *(speed_profile.time_at(position) / h for position in (start, end, length))]
     ends = section_ends(list(pairwise(bounds)))

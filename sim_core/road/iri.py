@@ -14,7 +14,7 @@ _K1, _K2, _C, _MU = 653.0, 63.3, 6.0, 0.15  # tyre, spring, damper, unsprung mas
 
 
 def golden_car() -> tuple[FloatArray, FloatArray]:
-    """The quarter car's dx/dt = A x + b s: A (4, 4) and b (4,), with s the slope of the road.
+    """Return the quarter car's dx/dt = A x + b s: A (4, 4) and b (4,), with s the slope of the road.
 
     x holds the slopes of the paths of body and wheel and their rates: z_s', z_s'', z_u', z_u'' (Sayers 1995).
     """
@@ -25,7 +25,7 @@ def golden_car() -> tuple[FloatArray, FloatArray]:
 
 
 def exact_step(spacing: float) -> tuple[FloatArray, FloatArray]:
-    """The car's x after `spacing` [m] of constant slope s is S x + p s: S (4, 4) and p (4,)."""
+    """Return the car's x after `spacing` [m] of constant slope s is S x + p s: S (4, 4) and p (4,)."""
     system, entry = golden_car()
     from scipy.linalg import expm  # takes a third of a second: most processes never need it
 

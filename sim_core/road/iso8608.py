@@ -59,7 +59,7 @@ class Classification:
 
 
 def road_class(roughness: float) -> str:
-    """The class of Gd(n0) [m³]: each ends at twice its mean, H never."""
+    """Return the class of Gd(n0) [m³]: each ends at twice its mean, H never."""
     return next((name for name, mean in CLASS_MEANS.items() if roughness < 2 * mean), "H")
 
 

@@ -75,7 +75,7 @@ class RoadProfile:
 
 
 def rough_profile(roughness: FloatArray, bump: Bump) -> RoadProfile:
-    """A road of those samples (n,) [m]."""
+    """Return a road of those samples (n,) [m]."""
     return RoadProfile(roughness, _slopes(roughness), bump)
 
 
@@ -134,7 +134,7 @@ def _roughness(roughness: float, seed: int, length: float) -> tuple[FloatArray, 
 
 @cached
 def _measured(measured: MeasuredRoad, length: float) -> tuple[FloatArray, float]:
-    """The same of a measured road: level before its first height."""
+    """Return the same of a measured road: level before its first height."""
     heights, before = measured.heights(), round(_BEFORE / GRID)
     samples = np.full(grid_samples(length), heights[-1])
     samples[:before] = heights[0]
@@ -145,7 +145,7 @@ def _measured(measured: MeasuredRoad, length: float) -> tuple[FloatArray, float]
 
 
 def road_profile(road: Road) -> RoadProfile:
-    """The road of a scenario.
+    """Return the road of a scenario.
 
     Raises:
         MissingRoadError: It names a measured road whose heights nobody handed over.

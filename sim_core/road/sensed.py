@@ -25,14 +25,14 @@ _NOISE_STREAM = 2  # a generator of its own beside the road's
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ExpectedErrors:
-    """Of the sensors, as a controller expects them: standard deviations of offset and noise [m]."""
+    """Errors of the sensors, as a controller expects them: standard deviations of offset and noise [m]."""
 
     offset: float = 0.0
     noise: float = 0.0
 
 
 def expected_errors(mpc: Mpc) -> ExpectedErrors:
-    """What a scenario's controllers expect."""
+    """Return what a scenario's controllers expect."""
     return ExpectedErrors(offset=mpc.expected_offset, noise=mpc.expected_noise)
 
 
@@ -40,7 +40,7 @@ def expected_errors(mpc: Mpc) -> ExpectedErrors:
 def sensed_road(
     surface: RoadProfile, road: Road, mismatch: Mismatch, expected: ExpectedErrors, *, obstacle_alone: bool
 ) -> RoadProfile:
-    """The road that a controller plans with, before the sensors' offset, gain and delay are applied.
+    """Return the road that a controller plans with, before the sensors' offset, gain and delay are applied.
 
     Args:
         surface: The true road.
@@ -62,7 +62,7 @@ def sensed_road(
 
 
 def trusted(seen: FloatArray, roughness: float, expected: ExpectedErrors) -> FloatArray:
-    """The Wiener estimate of the roughness from what the sensors give (n,) [m].
+    """Return the Wiener estimate of the roughness from what the sensors give (n,) [m].
 
     Args:
         seen: Heights on the road's grid.

@@ -43,7 +43,7 @@ class DetectedBump:
 
 
 def surveyed(distance: FloatArray, height: FloatArray) -> SurveyedRoad:
-    """The road of heights (n,) [m] at ascending distances (n,) [m], whose first one becomes x = 0.
+    """Return the road of heights (n,) [m] at ascending distances (n,) [m], whose first one becomes x = 0.
 
     Between two heights it is straight; taken from it is the line that fits it best (least squares), and each height is
     the mean of the 11 within CONTACT around it, which leaves sin(11 πs/λ)/(11 sin(πs/λ)) of a wave of length λ.
@@ -63,7 +63,7 @@ def surveyed(distance: FloatArray, height: FloatArray) -> SurveyedRoad:
 
 
 def bumps_in(heights: FloatArray) -> list[DetectedBump]:
-    """The bumps and potholes in a profile (samples,) SPACING apart [m], the largest first.
+    """Return the bumps and potholes in a profile (samples,) SPACING apart [m], the largest first.
 
     Each stands out from the running median over LEVEL by at least LEAST_BUMP and six times what the rest of the road
     does (by its median absolute deviation). It ends beyond a tenth of its height where it falls no more.

@@ -26,7 +26,7 @@ class Modes:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Characteristics:
-    """Of the car around rest, its dampers at the mean of compression and rebound there.
+    """Characteristics of the car around rest, its dampers at the mean of compression and rebound there.
 
     Attributes:
         static_sag: By how much the body's weight compresses each suspension [m]; travel is counted from there.
@@ -40,7 +40,7 @@ class Characteristics:
 
 
 def characteristics(vehicle: Vehicle) -> Characteristics:
-    """A vehicle's characteristics, each axle taken by itself as a quarter-car.
+    """Return a vehicle's characteristics, each axle taken by itself as a quarter-car.
 
     The body's share m of an axle swings on spring and tyre in series, (2π f)² = k_s k_t/((k_s + k_t) m), where the
     damper moves by k_t/(k_s + k_t) of what the body does; the wheel swings between both, (2π f)² = (k_s + k_t)/m_w

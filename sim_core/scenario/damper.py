@@ -65,10 +65,10 @@ def hardest(points: _Points) -> float:
 
 
 def straight(compression: float, rebound: float) -> _Points:
-    """The curve of a damper that is linear in either direction, by its damping there [N s/m]."""
+    """Return the curve of a damper that is linear in either direction, by its damping there [N s/m]."""
     return (-1.0, -compression), (1.0, rebound)
 
 
 def scaled(points: _Points | None, factor: float) -> _Points | None:
-    """A curve with so many times the force."""
+    """Return a curve with so many times the force."""
     return points and tuple((velocity, force * factor) for velocity, force in points)

@@ -60,7 +60,7 @@ class DataSheet(Part):
         return self
 
     def half_car(self) -> Vehicle:
-        """The half-car of one track.
+        """Return the half-car of one track.
 
         An axle's share m of the body swings on spring and tyre in series, k = (2π f)² m = k_s k_t/(k_s + k_t). The
         damper moves by k_t/(k_s + k_t) of what the body does, so it needs 2 ζ √(k m) (1 + k_s/k_t)².
@@ -89,7 +89,7 @@ class DataSheet(Part):
         return mass, (2 * pi * frequency) ** 2 * mass, tyre
 
     def _suspension(self, axle: str) -> tuple[float, float, float]:
-        """An axle's share of the body [kg]; spring [N/m] and damper [N s/m] of one wheel."""
+        """Return an axle's share of the body [kg]; spring [N/m] and damper [N s/m] of one wheel."""
         mass, together, tyre = self._wheel(axle)
         spring = together * tyre / (tyre - together)
         ratio = getattr(self, f"{axle}_damping_ratio")

@@ -37,7 +37,7 @@ class DottedField:
     default: Any = None  # of an option, which a scenario may lack
 
     def checked(self, value: Any) -> Any:
-        """The value as the scenario holds it, in plain JSON types.
+        """Return the value as the scenario holds it, in plain JSON types.
 
         Raises:
             RidelabError: It is of another type or beyond the hard limits; the message does not repeat it.
@@ -79,13 +79,13 @@ def use_options(find: Callable[[], Mapping[str, DottedField]]) -> None:
 
 
 def fields() -> dict[str, DottedField]:
-    """Every field by its dotted name, in the scenario's order; options of controllers of one's own come last."""
+    """Return every field by its dotted name, in the scenario's order; options of controllers of one's own come last."""
     return {**scenario_fields(), **_find_options()}
 
 
 @cache
 def scenario_fields() -> dict[str, DottedField]:
-    """Those that every scenario has."""
+    """Return those that every scenario has."""
     return {field.name: field for field in _walk(Scenario, "")}
 
 
@@ -95,12 +95,12 @@ def names_schema(names: Iterable[str]) -> dict[str, Any]:
 
 
 def is_option(name: str) -> bool:
-    """Whether it names an option of a controller of one's own, which may be there no more."""
+    """Check whether it names an option of a controller of one's own, which may be there no more."""
     return re.match(OPTION, name) is not None
 
 
 def field(name: str) -> DottedField:
-    """The field of that name.
+    """Return the field of that name.
 
     Raises:
         UnknownNameError: There is none, or it is a whole part; the message lists the names to choose from.
@@ -163,7 +163,7 @@ def _key(part: Any, step: str) -> str | int:
 
 
 def offered(name: str) -> list[str]:
-    """What an unknown name may have meant: those below the deepest part that it begins with."""
+    """Return what an unknown name may have meant: those below the deepest part that it begins with."""
     names = list(fields())
     steps = name.split(".")
     for length in range(len(steps), 0, -1):
@@ -198,7 +198,7 @@ def _walk(model: type[BaseModel], prefix: str) -> Iterator[DottedField]:
 
 
 def kind_of(annotation: Any) -> Kind:
-    """The kind of a field of that type."""
+    """Return the kind of a field of that type."""
     types = {annotation, *get_args(annotation)}
     if annotation is bool:
         return "switch"

@@ -11,7 +11,7 @@ from sim_core.scenario.search_words import search_terms, search_words
 
 
 def quantity(unit: str, *, soft: tuple[float, float], ge: float, le: float, shown: str | None = None) -> Any:
-    """What a number may be, for its type's `Annotated`: hard limits `ge` to `le`, slider range `soft`.
+    """Return what a number may be, for its type's `Annotated`: hard limits `ge` to `le`, slider range `soft`.
 
     `shown` is the unit people think of it in, where that is another one: forms show and read it so.
     """
@@ -22,7 +22,7 @@ def quantity(unit: str, *, soft: tuple[float, float], ge: float, le: float, show
 
 
 def field(default: Any, title: str, description: str, *, note: str | None = None) -> Any:
-    """A field of a part; `...` has no default.
+    """Return a field of a part; `...` has no default.
 
     `note` stands beside the title in forms, where a value may be misunderstood without it.
     """
@@ -105,5 +105,5 @@ Weights = Annotated[
 
 
 def at(field: str, message: str) -> PydanticCustomError:
-    """An error of a whole model that belongs to one field; `ctx['field']` names it, dotted."""
+    """Return an error of a whole model that belongs to one field; `ctx['field']` names it, dotted."""
     return PydanticCustomError("inconsistent", "{reason}", {"field": field, "reason": message})

@@ -65,7 +65,7 @@ class Mismatch(Part):
     )
 
     def real(self, vehicle: Vehicle) -> Vehicle:
-        """The car that is driven: the one that controllers believe in, with these errors."""
+        """Return the car that is driven: the one that controllers believe in, with these errors."""
         if (self.body_mass, self.springs, self.damping, self.tyres, self.rebound_ratio) == (1, 1, 1, 1, 1):
             return vehicle
         factors = {

@@ -43,13 +43,13 @@ class MeasuredRoad:
 
     @classmethod
     def of(cls, heights: FloatArray) -> "MeasuredRoad":
-        """The road of these heights (samples,) [m], to a micrometre."""
+        """Return the road of these heights (samples,) [m], to a micrometre."""
         steps = np.diff(np.round(heights / RESOLUTION).astype("<i4"), prepend=np.int32(0))
         plain = steps.astype("<i4").tobytes()
         digest = base64.urlsafe_b64encode(hashlib.sha256(b"ridelab road 1\n" + plain).digest()).decode()
         return cls(id=digest.lstrip("-_")[:ID_LENGTH], samples=len(heights), content=zlib.compress(plain))
 
     def heights(self) -> FloatArray:
-        """The heights (samples,) [m]."""
+        """Return the heights (samples,) [m]."""
         steps = np.frombuffer(zlib.decompress(self.content), dtype="<i4")
         return np.asarray(steps.cumsum(dtype=np.int64) * RESOLUTION)

@@ -28,19 +28,19 @@ Value = Annotated[Any, AfterValidator(_plain), WithJsonSchema({"type": ["boolean
 
 
 class Own(Part):
-    """Of each controller of one's own the options that are not at their defaults."""
+    """The options of each custom controller that are not at their defaults."""
 
     model_config = ConfigDict(extra="allow")
 
     __pydantic_extra__: dict[str, Annotated[dict[Annotated[str, Field(pattern=_NAME)], Value], Field(max_length=_MOST)]]
 
     def of(self, controller: str) -> dict[str, Any]:
-        """The options of a controller by their names."""
+        """Return the options of a controller by their names."""
         return self.__pydantic_extra__.get(controller, {})
 
     @property
     def controllers(self) -> dict[str, dict[str, Any]]:
-        """By a controller's id its options."""
+        """The options of each controller, by its id."""
         return self.__pydantic_extra__
 
     @model_validator(mode="after")

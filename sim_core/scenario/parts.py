@@ -112,7 +112,7 @@ class StageWeights(Part):
     bump: Weights = field((1, 1, 6), "Bump", "On the bump: tyre load first.")
 
     def of(self, stage: str) -> Weights:
-        """Those of a driving stage."""
+        """Return those of a driving stage."""
         weights: Weights = getattr(self, stage)
         return weights
 
@@ -271,13 +271,13 @@ class Scenario(Part):
         return self.model_copy(update={"road": road})
 
     def with_recordings(self, recordings: Iterable[RecordedDrive]) -> "Scenario":
-        """The scenario with what the strategies `recording:ID` of a run stand for."""
+        """Return the scenario with what the strategies `recording:ID` of a run stand for."""
         copy = self.model_copy()
         copy._recordings = {each.id: each for each in recordings}
         return copy
 
     def recording(self, recording: str) -> RecordedDrive:
-        """The recording of that id.
+        """Return the recording of that id.
 
         Raises:
             KeyError: Nobody handed it over.
@@ -291,7 +291,7 @@ class Scenario(Part):
 
     @property
     def is_random(self) -> bool:
-        """Whether a result hinges on luck: on this road's roughness or on the noise, jitter and losses of this seed."""
+        """Check whether a result varies at random: with the roughness, noise, jitter and losses of this seed."""
         noise = (self.mismatch.preview_noise, self.hil.noise, self.hil.jitter, self.hil.packet_loss)
         return not self.road.is_smooth or self.estimation.kind != "exact" or any(noise)
 

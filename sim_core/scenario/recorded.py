@@ -18,7 +18,7 @@ NAME_PATTERN = f"^{PREFIX}{ID_PATTERN.removeprefix('^')}"
 
 
 def recording_id(strategy: str) -> str | None:
-    """The recording that the name of a strategy stands for; None where it is a strategy that is simulated."""
+    """Return the recording that the name of a strategy stands for; None where it is a strategy that is simulated."""
     return strategy.removeprefix(PREFIX) if strategy.startswith(PREFIX) else None
 
 
@@ -46,7 +46,7 @@ class RecordedDrive:
 
     @classmethod
     def of(cls, signals: Mapping[str, FloatArray]) -> "RecordedDrive":
-        """The recording of these signals by the catalogue's names (samples,) [SI units]; NaN is no value.
+        """Return the recording of these signals by the catalogue's names (samples,) [SI units]; NaN is no value.
 
         Example:
             >>> import numpy as np
@@ -68,7 +68,7 @@ class RecordedDrive:
         )
 
     def signals(self) -> dict[str, FloatArray]:
-        """The signals (samples,) [SI units] by the catalogue's names."""
+        """Return the signals (samples,) [SI units] by the catalogue's names."""
         keys = self.keys.split(",")
         apart = np.frombuffer(zlib.decompress(self.content), np.uint8).reshape(len(keys), 8, -1)
         table = np.ascontiguousarray(apart.transpose(0, 2, 1)).view("<f8")[..., 0]

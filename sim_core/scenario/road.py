@@ -90,7 +90,7 @@ CLASS_MEANS = {name: 16e-6 * 4**index for index, name in enumerate(get_args(Road
 
 
 def _class_mean(value: Any) -> Any:
-    """The mean roughness of a class that is named; anything else as it is."""
+    """Return the mean roughness of a class that is named; anything else as it is."""
     if not isinstance(value, str):
         return value
     if value not in CLASS_MEANS:
@@ -143,7 +143,7 @@ class Road(Part):
 
     @property
     def ends_with_profile(self) -> bool:
-        """Whether its length is that of its `profile`, which `Scenario.on` sets: none was given."""
+        """Check whether its length is that of its `profile`, which `Scenario.on` sets: none was given."""
         return self.profile is not None and "length" not in self.model_fields_set
 
     @property
@@ -159,5 +159,5 @@ class Road(Part):
 
     @property
     def is_smooth(self) -> bool:
-        """Whether there is nothing but the bumps."""
+        """Check whether there is nothing but the bumps."""
         return self.profile is None and not self.roughness

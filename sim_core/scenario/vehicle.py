@@ -127,7 +127,7 @@ class Vehicle(Part):
 
     @property
     def linear(self) -> bool:
-        """Whether its dampers, stops and tyres are linear."""
+        """Check whether its dampers, stops and tyres are linear."""
         equal = self.rebound_ratio == 1 and self.damper_curves is None
         return equal and self.bump_stop_clearance is None and not self.tyre_lift_off
 

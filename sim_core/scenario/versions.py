@@ -33,7 +33,7 @@ class NewerScenarioError(RidelabError):
 def upgraded(
     scenario: Mapping[str, Any], version: int, *, steps: Mapping[int, Step] = STEPS, current: int = SCHEMA_VERSION
 ) -> dict[str, Any]:
-    """A stored scenario as the current schema version writes it; what was passed in stays as it is.
+    """Return a stored scenario as the current schema version writes it; what was passed in stays as it is.
 
     Args:
         scenario: As it was stored, plain JSON values.
@@ -56,7 +56,7 @@ def upgraded(
 
 
 def restored(scenario: Mapping[str, Any], version: int) -> Scenario:
-    """The same as today's `Scenario`, complete: what has been added since takes its default.
+    """Return the same as today's `Scenario`, complete: what has been added since takes its default.
 
     Raises:
         NewerScenarioError: The version is newer than today's.

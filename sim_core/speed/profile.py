@@ -74,7 +74,7 @@ class SpeedProfile:
 
 @lru_cache(maxsize=32)
 def _time_at(profile: SpeedProfile, position: float) -> float:
-    """The inverse of `SpeedProfile.at`, kept: every run with that profile asks for the same few places."""
+    """Return the inverse of `SpeedProfile.at`, kept: every run with that profile asks for the same few places."""
     if position <= profile.position[0]:
         return float(profile.time[0] + (position - profile.position[0]) / profile.speed[0])
     if position >= profile.position[-1]:
@@ -92,7 +92,7 @@ def _time_at(profile: SpeedProfile, position: float) -> float:
 
 
 def make_speed_profile(scenario: Scenario, plan: SpeedPlan) -> SpeedProfile:
-    """How fast the scenario's road is driven, and where the car is when."""
+    """Return how fast the scenario's road is driven, and where the car is when."""
     if plan == "constant":
         return _constant(scenario.speed.initial)
     places = scenario.braking_start, scenario.bump_start, scenario.bump_left

@@ -21,7 +21,7 @@ class Segment(NamedTuple):
 
 
 def spans(scenario: Scenario, plan: SpeedPlan, profile: SpeedProfile) -> tuple[Span, ...]:
-    """The stages from x = 0 to the road's end, without gaps and without empty ones."""
+    """Return the stages from x = 0 to the road's end, without gaps and without empty ones."""
     end = scenario.road.length
     edges = [("cruise", 0.0)]
     if plan == "planned":
@@ -43,7 +43,7 @@ def spans(scenario: Scenario, plan: SpeedPlan, profile: SpeedProfile) -> tuple[S
 
 
 def segments(stages: tuple[Span, ...], position: FloatArray) -> list[Segment]:
-    """The control steps of each stage for ascending front-axle positions (n,) [m].
+    """Return the control steps of each stage for ascending front-axle positions (n,) [m].
 
     A stage begins with the first step at its start or not further before it than `REACHED`.
     """

@@ -40,7 +40,7 @@ def strategies() -> dict[str, type[Controller]]:
 
 
 def strategy_named(name: str) -> type[Controller]:
-    """The strategy with that id: one of ours, or of the files that `RIDELAB_CONTROLLERS` or a package names.
+    """Return the strategy with that id: one of ours, or of the files that `RIDELAB_CONTROLLERS` or a package names.
 
     Raises:
         UnknownNameError: There is none; the message lists the ids.
@@ -72,7 +72,7 @@ def label_of(name: str) -> str:
 
 
 def _options() -> dict[str, dotted.DottedField]:
-    """The options of controllers of one's own by dotted name; none where a file cannot be used."""
+    """Return the options of controllers of one's own by dotted name; none where a file cannot be used."""
     with suppress(ControllerFileError):
         fields = [field for each in named_controllers().values() for field in option_fields(each).values()]
         return {field.name: field for field in fields}
@@ -83,7 +83,7 @@ dotted.use_options(_options)
 
 
 def make_controller(strategy: str | type[Controller] | Controller) -> Controller:
-    """An object for the id of a strategy or for a controller's class; an object is returned as it is.
+    """Return an object for the id of a strategy or for a controller's class; an object is returned as it is.
 
     Raises:
         UnknownNameError: No such strategy.
@@ -113,7 +113,7 @@ def controller_for(strategy: str | type[Controller] | Controller, scenario: Scen
 
 
 def resolve_speed_plan(strategy: type[Controller], policy: str) -> SpeedPlan:
-    """Whether a strategy slows down for the bump under a scenario's `speed.policy`.
+    """Check whether a strategy slows down for the bump under a scenario's `speed.policy`.
 
     Raises:
         RidelabError: Its own plan is none.
@@ -156,7 +156,7 @@ def reads_in(scenario: Scenario, strategy: type[Controller]) -> tuple[str, ...]:
 def values_read(
     scenario: Scenario, strategy: type[Controller], identity: dict[str, Any] | None = None
 ) -> dict[str, Any]:
-    """What a strategy reads of a scenario: dotted name -> plain JSON value, by name.
+    """Return what a strategy reads of a scenario: dotted name -> plain JSON value, by name.
 
     The speed policy counts by what is read under it: a strategy at its own speed has one key whatever the policy is.
     `identity` is the scenario's (`Part.identity`), where it was made already.

@@ -7,7 +7,7 @@ from sim_core.strategies.lv_hil import LvHil
 
 
 def ecu_calibration(scenario: Scenario, checked: Checked = "all") -> Calibration:
-    """The tables of `lv_hil`'s program: the scenario's own MPC.
+    """Return the tables of `lv_hil`'s program: the scenario's own MPC.
 
     Args:
         scenario: Whose.

@@ -11,5 +11,5 @@ class LvHil(EcuController):
     stage_weights: StageWeights = scenario_field("mpc.stage_weights")
 
     def weights(self, stage: str) -> Weights:
-        """The stage's own."""
+        """Return the stage's own."""
         return self.stage_weights.of(stage)

@@ -112,12 +112,12 @@ def dependencies(strategy: type[Controller], plan: SpeedPlan, preview: Preview) 
 
 @cache
 def merge_into_parts(names: frozenset[str]) -> tuple[str, ...]:
-    """The same fields, with a part's name in place of those of all its fields."""
+    """Return the same fields, with a part's name in place of those of all its fields."""
     return tuple(sorted(_of_part(Scenario, "", names)))
 
 
 def _of_part(part: type[BaseModel], prefix: str, names: frozenset[str]) -> set[str]:
-    """Those of a part, whose fields begin with `prefix`."""
+    """Return those of a part, whose fields begin with `prefix`."""
     fields, own = {f"{prefix}{name}": info.annotation for name, info in part.model_fields.items()}, set[str]()
     for name, kind in fields.items():
         if name in names:

@@ -12,5 +12,5 @@ class SuspensionOnly(PredictiveController):
     road_weights: RoadWeights = scenario_field("mpc.road_weights")
 
     def weights(self, stage: str) -> Weights:
-        """Those of the bump on it, of the rough road before and behind it."""
+        """Return those of the bump on it, of the rough road before and behind it."""
         return self.road_weights.bump if stage == "bump" else self.road_weights.rough

@@ -53,7 +53,7 @@ def kalman_filter(
     per_control: int = 1,
     rear_axle: RearAxle = "in_turn",
 ) -> KalmanFilter:
-    """The filter that is optimal on an endless road.
+    """Return the filter that is optimal on an endless road.
 
     Args:
         vehicle: The one the controllers believe in.
@@ -90,7 +90,7 @@ def make_estimator(
     mode: Preview = "none",
     seen: FloatArray | None = None,
 ) -> Estimator:
-    """What estimates the state for a scenario's controllers.
+    """Return what estimates the state for a scenario's controllers.
 
     Args:
         scenario: Whose vehicle, road and sensors.
@@ -145,7 +145,7 @@ def _deviations(noise: Estimation, per_control: int) -> FloatArray:
 
 
 def _unseen(scenario: Scenario, mode: Preview, speed: float) -> tuple[float, float]:
-    """Which share of the roughness' intensity preview leaves unknown under the front and the rear axle."""
+    """Return which share of the roughness' intensity preview leaves unknown under the front and the rear axle."""
     if mode == "wheelbase" and scenario.rear_axle_offset:
         return 1.0, 0.0  # the rear axle meets what the front one has passed
     if mode == "lookahead":

@@ -36,12 +36,12 @@ class LinearModel:
 
 
 def _arms(vehicle: Vehicle) -> FloatArray:
-    """Of both axles about the centre of gravity [m]: ż_bi = ż_b + arm_i θ̇."""
+    """Return the arms of both axles about the centre of gravity [m]: ż_bi = ż_b + arm_i θ̇."""
     return np.array([-vehicle.cg_to_front, vehicle.cg_to_rear])
 
 
 def deflection_speeds(vehicle: Vehicle) -> FloatArray:
-    """The rates of both suspension deflections [m/s] as rows on the state (2, 8)."""
+    """Return the rates of both suspension deflections [m/s] as rows on the state (2, 8)."""
     eye = np.eye(2)
     return np.hstack([np.zeros((2, 4)), np.ones((2, 1)), _arms(vehicle)[:, None], -eye])
 
@@ -94,7 +94,7 @@ class Measurement:
 
 @small_cached(128)
 def measurement(vehicle: Vehicle) -> Measurement:
-    """What a car's own sensors give."""
+    """Return what a car's own sensors give."""
     model = half_car(vehicle)
     rows, pitch_rate = [OUTPUTS.index(name) for name in MEASURED_OUTPUTS[:3]], np.eye(1, STATES, k=5)
     return Measurement(
@@ -118,7 +118,7 @@ def hold(A: FloatArray, inputs: FloatArray, step: float) -> tuple[FloatArray, Fl
 
 @small_cached(128)
 def discrete(vehicle: Vehicle, step: float) -> LinearModel:
-    """The model over one step [s] with force, road velocities and deceleration held; exact."""
+    """Return the model over one step [s] with force, road velocities and deceleration held; exact."""
     model = half_car(vehicle)
     A, inputs = hold(model.A, np.hstack([model.B, model.E]), step)
     return LinearModel(A=A, B=inputs[:, :FORCES], E=inputs[:, FORCES:], C=model.C, D=model.D, F=model.F)

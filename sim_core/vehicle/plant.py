@@ -30,7 +30,7 @@ class Plant:
 
 
 def continuous(vehicle: Vehicle, actuator: Actuator) -> Plant:
-    """The plant in continuous time: ṗ = A p + B u + E w."""
+    """Return the plant in continuous time: ṗ = A p + B u + E w."""
     model = half_car(vehicle)
     if actuator.bandwidth is None:
         return Plant(A=model.A, B=model.B, E=model.E)
@@ -44,7 +44,7 @@ def continuous(vehicle: Vehicle, actuator: Actuator) -> Plant:
 
 @cached
 def plant(vehicle: Vehicle, actuator: Actuator, step: float) -> Plant:
-    """The plant over a step [s]."""
+    """Return the plant over a step [s]."""
     model = continuous(vehicle, actuator)
     over_step, held = hold(model.A, np.hstack([model.B, model.E]), step)
     return Plant(A=over_step, B=held[:, :FORCES], E=held[:, FORCES:])
