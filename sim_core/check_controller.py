@@ -11,7 +11,7 @@ from sim_core.catalogue import METRICS
 from sim_core.control.controller import Controller, Force, checked_value, scenario_value
 from sim_core.control.declared import Option, ScenarioField
 from sim_core.control.seen import Seen, Setup
-from sim_core.controller_files import said_by
+from sim_core.controller_files import format_error
 from sim_core.errors import ForceError, RidelabError
 from sim_core.loop.closed_loop import checked_force
 from sim_core.result import StrategyResult
@@ -164,7 +164,7 @@ def failure(error: BaseException, controller: type[Controller] | Controller) -> 
         file = inspect.getfile(controller if isinstance(controller, type) else type(controller))
     except (TypeError, OSError):  # a class of a notebook or a prompt is in none
         return error.message if isinstance(error, RidelabError) else f"{type(error).__name__}: {error}"
-    return said_by(error, file)
+    return format_error(error, file)
 
 
 def _by_force(other: Controller) -> Controller:

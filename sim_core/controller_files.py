@@ -120,7 +120,7 @@ def named_controllers() -> Controllers:
     return _find()
 
 
-def use(find: Callable[[], Controllers]) -> None:
+def set_controller_source(find: Callable[[], Controllers]) -> None:
     """Have `named_controllers` answer otherwise in this process: the service runs nobody's file in its own."""
     global _find
     _find = find
@@ -278,7 +278,7 @@ def file_error(error: BaseException, path: Path | str) -> ControllerFileError:
     causes = [error]
     while (earlier := causes[-1].__cause__ or causes[-1].__context__) is not None:
         causes.append(earlier)
-    return (ControllerCodeError if all(map(_is_of_code, causes)) else ControllerFileError)(said_by(error, path))
+    return (ControllerCodeError if all(map(_is_of_code, causes)) else ControllerFileError)(format_error(error, path))
 
 
 def _is_of_code(error: BaseException) -> bool:
@@ -288,7 +288,7 @@ def _is_of_code(error: BaseException) -> bool:
     return isinstance(error, CODE_ERRORS) and not (of_environment or isinstance(error, _DECODING_ERRORS))
 
 
-def said_by(error: BaseException, path: Path | str) -> str:
+def format_error(error: BaseException, path: Path | str) -> str:
     """Return what an error of somebody's controller says, with the last line of their file that led to it."""
     if isinstance(error, ForceError):
         return f"{path}{'' if error.line is None else f', line {error.line}'}: {error.message}"

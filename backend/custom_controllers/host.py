@@ -20,7 +20,7 @@ from typing import Any, TypeVar
 
 from backend.stopwatch import Stopwatch
 from sim_core import controller_files
-from sim_core.controller_files import ControllerFileError, file_error, said_by
+from sim_core.controller_files import ControllerFileError, file_error, format_error
 from sim_core.errors import ForceError, RidelabError
 
 T = TypeVar("T")
@@ -159,7 +159,7 @@ def _answer(source: str, task: bytes) -> bytes:
         signal.setitimer(signal.ITIMER_REAL, limit)
         try:
             controllers = controller_files.load(source)
-            controller_files.use(lambda: controllers)  # whatever becomes of the file meanwhile
+            controller_files.set_controller_source(lambda: controllers)  # whatever becomes of the file meanwhile
             file = inspect.getfile(next(iter(controllers.values())))
             return pickle.dumps(function(*args))
         finally:
@@ -170,7 +170,7 @@ def _answer(source: str, task: bytes) -> bytes:
             return pickle.dumps(error)
         folder = f"{Path(file).parent}{os.sep}"  # which is no business of whoever asked
         if isinstance(error, _OutOfTime):
-            said = said_by(error, file).replace(_OutOfTime.__name__, _unended(limit))
+            said = format_error(error, file).replace(_OutOfTime.__name__, _unended(limit))
             return pickle.dumps(SlowFileError(said.replace(folder, "")))
         failure = error if isinstance(error, ControllerFileError) else file_error(error, file)
         return pickle.dumps(type(failure)(failure.message.replace(folder, "")))

@@ -72,7 +72,7 @@ def controller_sources() -> tuple[ControllerSource, ...]:
 def adopt(sources: tuple[ControllerSource, ...]) -> None:
     """Take this as what there is."""
     global _sources, _checked, _of, _controllers
-    controller_files.use(lambda: _controllers)  # this process loads no file itself
+    controller_files.set_controller_source(lambda: _controllers)  # this process loads no file itself
     same, _sources = sources == _sources, sources
     if same:
         return

@@ -61,7 +61,7 @@ class Instance:
         """
         self._prefix = f"fmi{description.version}"
         self._label = label
-        self._said = ""
+        self._logged = ""
         self._alive = self._steps = False
         try:
             self._library = ctypes.CDLL(str(library))
@@ -138,11 +138,11 @@ class Instance:
         return function
 
     def _with_said(self, message: str) -> str:
-        return f"{message} ({self._said})" if self._said else message
+        return f"{message} ({self._logged})" if self._logged else message
 
     def _instantiate_2(self, description: Description, folder: Path) -> int | None:
         def log(_: int, __: bytes, status: int, ___: bytes, message: bytes) -> None:
-            self._hear(status, message)
+            self._log_message(status, message)
 
         memory = ctypes.CDLL("msvcrt") if os.name == "nt" else ctypes.CDLL(None)
         self._callbacks = _Callbacks(
@@ -156,7 +156,7 @@ class Instance:
 
     def _instantiate_3(self, description: Description, folder: Path) -> int | None:
         def log(_: int, status: int, __: bytes, message: bytes) -> None:
-            self._hear(status, message)
+            self._log_message(status, message)
 
         self._log = _LOG_3(log)
         no = c_bool(False)
@@ -166,6 +166,6 @@ class Instance:
         )  # fmt: skip
         return instance
 
-    def _hear(self, status: int, message: bytes | None) -> None:
+    def _log_message(self, status: int, message: bytes | None) -> None:
         if status > _WARNING and message:
-            self._said = message.decode(errors="replace")[:300]
+            self._logged = message.decode(errors="replace")[:300]

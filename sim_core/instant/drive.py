@@ -55,7 +55,7 @@ class Drive:
         now = read_only(trajectory.loop[row])
         previous = now[car.size :]
         if answered:
-            answers = trajectory.asked[:step]
+            answers = trajectory.requested[:step]
             answers = answers[~np.isnan(answers).any(axis=1)]
             previous = read_only(answers[-1]) if len(answers) else np.zeros(FORCES)
         return Seen(self.inputs, car, step, row, now[: car.size], previous)

@@ -145,8 +145,8 @@ def instant(
 def _instant(drive: Drive, seen: Seen, law: LinearLaw | None, plan: Plan | None) -> Instant:
     run, trajectory, step = drive.run, drive.recording.trajectory, seen.step
     row, size = step * run.steps.short, drive.recording.car.size
-    asked: FloatArray | None = trajectory.asked[step]
-    if np.isnan(trajectory.asked[step]).any():
+    asked: FloatArray | None = trajectory.requested[step]
+    if np.isnan(trajectory.requested[step]).any():
         asked = None if law is None else linear_force(law, seen)
         asked = asked if plan is None else plan.forces[0]
     lagging = size % STATES

@@ -27,13 +27,13 @@ class Trajectory:
 
     Attributes:
         loop: [p; previous command] before each of the car's steps and after the last (steps + 1, n + 2).
-        asked: Forces that the controller was asked for and gave (steps, 2) [N]; NaN where a law or no command decided.
+        requested: Forces that the controller gave (steps, 2) [N]; NaN where it was not asked, or no command came.
         limited: Control steps in which a limit bound.
         held_commands: Commands that never took effect, of a delayed controller.
     """
 
     loop: FloatArray
-    asked: FloatArray
+    requested: FloatArray
     limited: int
     held_commands: int | None = None
 
@@ -55,14 +55,14 @@ class ClosedLoop:
         n = self._car.size
         loop = np.empty((segments[-1].last + 1, n + FORCES))  # [car; previous command] at every control instant
         loop[0] = 0
-        asked = np.full((segments[-1].last, FORCES), np.nan)
+        requested = np.full((segments[-1].last, FORCES), np.nan)
         limited = 0
         follow: FollowLaw | None = None
         clips = type(self._controller).force is Controller.force
         for segment in segments:
             law, k = self._controller.linear_law(segment.stage), segment.first
             if law is None:
-                limited += sum(self._step(k, loop, asked) for k in range(segment.first, segment.last))
+                limited += sum(self._step(k, loop, requested) for k in range(segment.first, segment.last))
                 continue
             if not isinstance(law, LinearLaw):
                 raise RefusedError(f"{self._controller.label}: linear_law gives a LinearLaw or None")
@@ -76,18 +76,18 @@ class ClosedLoop:
                 k, shaped = follow(law.design, qp, k, segment.last)
                 limited += shaped
                 if k < segment.last:
-                    self._step(k, loop, asked)
+                    self._step(k, loop, requested)
                     limited, k = limited + 1, k + 1
-        return Trajectory(loop=loop, asked=asked, limited=limited)
+        return Trajectory(loop=loop, requested=requested, limited=limited)
 
-    def _step(self, k: int, loop: FloatArray, asked: FloatArray) -> bool:
+    def _step(self, k: int, loop: FloatArray, requested: FloatArray) -> bool:
         """Drive one control step by the controller; whether a limit of forces or actuators shaped its command."""
         n = self._car.size
         state, previous = loop[k, :n], loop[k, n:]
         seen = Seen(self._inputs, self._car, k, k, read_only(state), read_only(previous))
         counted = self._controller.report.limited_steps
-        asked[k] = checked_force(self._controller, self._controller.force(seen), seen)
-        limited = limit_force(self._force_limits, asked[k], previous, loop[k + 1, n:])
+        requested[k] = checked_force(self._controller, self._controller.force(seen), seen)
+        limited = limit_force(self._force_limits, requested[k], previous, loop[k + 1, n:])
         self._car.advance(k, loop)
         return limited or self._controller.report.limited_steps > counted
 

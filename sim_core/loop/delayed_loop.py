@@ -33,7 +33,7 @@ class DelayedLoop:
         loop = np.zeros((steps * n + 1, car.size + FORCES))  # [car; previous command] before every short step
         arrivals = self._arrivals()
         newest = [-1] * (steps * n)  # the command that arrives at a short step, the newest of several
-        asked = np.full((steps, FORCES), np.nan)  # by command [N]
+        requested = np.full((steps, FORCES), np.nan)  # by command [N]
         used = np.zeros(steps, dtype=bool)
         held, present, limited = -1, np.zeros(FORCES), 0  # -1: no command yet
         settled, bound = True, False  # whether the actuators change no more, and whether their limits hold them back
@@ -43,7 +43,7 @@ class DelayedLoop:
             force = self._controller.force(seen)
             shaped = self._controller.report.limited_steps > counted
             if force is not None:
-                asked[k] = checked_force(self._controller, force, seen)
+                requested[k] = checked_force(self._controller, force, seen)
                 if arrivals[k] < steps * n:
                     newest[arrivals[k]] = k
             for i in range(k * n, k * n + n):
@@ -54,13 +54,13 @@ class DelayedLoop:
                 if settled:
                     command[:] = present
                 else:
-                    bound = limit_force(self._force_limits, asked[held], present, command)
+                    bound = limit_force(self._force_limits, requested[held], present, command)
                     settled, present = np.array_equal(command, present), command
                 shaped |= bound
                 car.advance(i, loop)
             limited += shaped
         held_commands = int(np.count_nonzero(~used[: steps - 1]))  # the last one would take effect after the run
-        return Trajectory(loop=loop, asked=asked, limited=limited, held_commands=held_commands)
+        return Trajectory(loop=loop, requested=requested, limited=limited, held_commands=held_commands)
 
     def _arrivals(self) -> list[int]:
         """Return the controller's, if each command arrives after it was asked for.
