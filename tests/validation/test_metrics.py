@@ -161,7 +161,7 @@ def test_events_are_what_the_series_show(strategy: str) -> None:
         assert max(np.abs(series[f"{axle}_force"]).max() for axle in ("front", "rear")) <= 2000
 
 
-@pytest.mark.parametrize("length", [110.0, 125.0, 150.0, 250.0, 112.34])
+@pytest.mark.parametrize("length", [112.34, 250.0])
 @pytest.mark.parametrize("strategy", ["passive", "lv"])
 def test_series_are_complete(strategy: str, length: float) -> None:
     """All signals, one length, finite, time ascending evenly from 0, the front axle from 0 to the road's end."""
