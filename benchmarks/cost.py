@@ -22,13 +22,11 @@ from backend.compute.memory import keep_freed_memory  # noqa: E402 - after the t
 from backend.cost.affordable import simulate  # noqa: E402 - after the thread limits
 from backend.cost.estimate import estimate  # noqa: E402 - after the thread limits
 from benchmarks.timing import table  # noqa: E402 - after the thread limits
-from sim_core.arrays import FloatArray  # noqa: E402 - after the thread limits
-from sim_core.control import qp  # noqa: E402 - after the thread limits
 from sim_core.errors import TooExpensiveError  # noqa: E402 - after the thread limits
 from sim_core.scenario import Scenario  # noqa: E402 - after the thread limits
 from sim_core.strategies import STRATEGIES  # noqa: E402 - after the thread limits
 
-JUDGED = 101  # seed of the draws; benchmarks/cost_fit.py has another
+JUDGED = 101  # seed of the draws
 Draw = Callable[[FieldInfo, np.random.Generator], Any]  # a value of a field
 QUANTILES = (0.0, 0.025, 0.25, 0.5, 0.75, 0.975, 1.0)
 FACTOR = 3.0
@@ -36,21 +34,13 @@ FACTOR = 3.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Measured:
-    """A run of a strategy: its cost, what was estimated [s of one core], and what there was of it.
-
-    `time` is the time over the road [s], `limited`, `solved` are control steps at a limit and with a QP, `iterations`
-    OSQP's of all QPs. None of them where it was too expensive.
-    """
+    """A run of a strategy: its cost, and what was estimated [s of one core]."""
 
     scenario: Scenario
     strategy: str
     cost: float
     estimated: float
     too_expensive: bool = False
-    time: float = 0.0
-    limited: int = 0
-    solved: int = 0
-    iterations: int = 0
 
     @property
     def kind(self) -> str:
@@ -106,11 +96,10 @@ def on_slider(info: FieldInfo, rng: np.random.Generator) -> Any:
 def measured(case: tuple[Scenario, str]) -> Measured:
     """Drive it; processor time of this process and of the ECU's program."""
     scenario, strategy = case
-    estimated, iterations = estimate(scenario, strategy), _CountedOsqp.iterations
-    qp.OsqpSolver = _CountedOsqp  # type: ignore[misc]  # counts beside solving
+    estimated = estimate(scenario, strategy)
     before = _processor_time()
     try:
-        result = simulate(scenario, strategy)
+        simulate(scenario, strategy)
     except TooExpensiveError:
         cost = _processor_time() - before
         return Measured(scenario=scenario, strategy=strategy, cost=cost, estimated=estimated, too_expensive=True)
@@ -119,22 +108,7 @@ def measured(case: tuple[Scenario, str]) -> Measured:
         strategy=strategy,
         cost=_processor_time() - before,
         estimated=estimated,
-        time=result.travel_time,
-        limited=int(result.events["limited_steps"] or 0),
-        solved=int(result.events["qp_solves"] or 0),
-        iterations=_CountedOsqp.iterations - iterations,
     )
-
-
-class _CountedOsqp(qp.OsqpSolver):
-    """The solver, its iterations counted."""
-
-    iterations = 0
-
-    def solve(self, f: FloatArray, b: FloatArray) -> tuple[tuple[FloatArray, FloatArray] | None, int]:
-        answer, taken = super().solve(f, b)
-        _CountedOsqp.iterations += taken
-        return answer, taken
 
 
 def _processor_time() -> float:

@@ -1,24 +1,23 @@
 """What a run costs, estimated from the scenario alone; and the limit on what one run may cost.
 
-Seconds are those of one core of the machine on which `python -m benchmarks.cost_fit` was run last. A run's own limits
+Seconds are those of one core of the machine on which they were fitted. A run's own limits
 count its work and not its time, so that whether it is too expensive depends on the scenario alone, and on no fit. With
 which simulated drives a recording is compared does depend on it, and its notes name those left out.
 """
 
 from collections.abc import Iterable, Mapping
-from math import atan, exp, log, sqrt
+from math import erfc, inf, pi, sqrt
 
 import numpy as np
 
-from backend.cost.binding_limits import LimitShares, expected_limits
 from sim_core import Actuator, Controller, DampingController, EcuController, PredictiveController, Scenario
 from sim_core.control.qp import osqp_effort
 from sim_core.errors import TooExpensiveError
 from sim_core.loop.excitation import StepSizes, longest_fine_step, step_sizes
 from sim_core.loop.run import run_dampers
+from sim_core.road.profile import REFERENCE_FREQUENCY
 from sim_core.scenario.recorded import recording_id
-from sim_core.speed.brake import BrakeChain
-from sim_core.speed.profile import SPEED_CONTROL_PERIOD, TARGET_BAND, make_speed_profile
+from sim_core.speed.profile import make_speed_profile
 from sim_core.strategies import REFERENCE_STRATEGIES, speed_plan_on, strategy_named
 from sim_core.vehicle.make import is_linear
 from sim_core.vehicle.nonlinear import substeps
@@ -27,6 +26,10 @@ MAX_REFERENCE_COST = 3.0  # of one drive that a recording is compared with [s of
 # To read a recording of all signals and find its position on roads of these lengths [m] [s of one core].
 PLACING = (0.0, 150.0, 500.0, 1000.0, 3000.0), (0.1, 0.8, 3.0, 5.0, 7.0)
 CACHED_STEPS = 3e5  # of a run: so many fine steps' arrays fit into the processor's cache
+MIN_ROUGHNESS = 1e-8  # of a road without any [m^3]
+SETTLING = 0.5  # the bump's effect lasts so long after it [s]
+FORCE_RATIO = 2.0  # of a controller's force to the passive suspension's
+ITERATIONS = 350.0  # of OSQP, for one QP
 MAX_BYTES = 4.2e8  # of one run's arrays; whoever changes this or `memory` changes which scenarios have a result
 MAX_OPERATIONS = 3.3e11  # of one run's steps: some 30 s; its QPs have a limit of their own, `control.qp.MAX_EFFORT`
 
@@ -69,17 +72,9 @@ SECONDS: Mapping[str, float] = {
 
 
 def duration(scenario: Scenario, name: str) -> float:
-    """Longest time the strategy can take from x = 0 to the road's end [s]; exact where the brakes' lag is long."""
-    speed, road = scenario.speed, scenario.road
-    if speed_plan_on(strategy_named(name), scenario) == "constant":
-        return road.length / speed.initial
-    floor = min(speed.initial, speed.target) - TARGET_BAND
-    # The brake pressure that remains when braking ends reduces the speed by as much again.
-    slowest = floor - scenario.brake.maximum_deceleration * (scenario.brake.pressure_lag + SPEED_CONTROL_PERIOD)
-    if slowest < floor / 2:
-        return make_speed_profile(scenario, "planned").time_at(road.length)
-    detection = scenario.braking_start
-    return detection / speed.initial + (road.length - detection) / slowest
+    """Return the time that the strategy takes from x = 0 to the road's end [s]."""
+    plan = speed_plan_on(strategy_named(name), scenario)
+    return make_speed_profile(scenario, plan).time_at(scenario.road.length)
 
 
 def estimate(scenario: Scenario, name: str) -> float:
@@ -91,8 +86,8 @@ def estimate(scenario: Scenario, name: str) -> float:
     if recording_id(name) is not None:
         return float(np.interp(scenario.road.length, *PLACING)) + cost_of(scenario, references(scenario))
     strategy = strategy_named(name)
-    time = expected_time(scenario, strategy)
-    counts = work(scenario, strategy, time, expected_limits(scenario, strategy, time))
+    time = duration(scenario, name)
+    counts = work(scenario, strategy, time, limited_share(scenario, strategy, time))
     return sum(SECONDS[unit] * count for unit, count in counts.items())
 
 
@@ -119,8 +114,8 @@ def check_affordable(scenario: Scenario, name: str) -> float:
         TooExpensiveError: There are too many.
     """
     strategy = strategy_named(name)
-    time = make_speed_profile(scenario, speed_plan_on(strategy, scenario)).time_at(scenario.road.length)
-    counts = work(scenario, strategy, time, LimitShares(limited=1.0))
+    time = duration(scenario, name)
+    counts = work(scenario, strategy, time, 1.0)
     operations = sum(each * counts.get(unit, 0.0) for unit, each in OPERATIONS.items())
     size = memory(scenario, strategy, time)
     if operations > MAX_OPERATIONS or size > MAX_BYTES:
@@ -159,48 +154,56 @@ def memory(scenario: Scenario, strategy: type[Controller], time: float) -> float
     return steps * each
 
 
-def expected_time(scenario: Scenario, strategy: type[Controller]) -> float:
-    """Expected time from x = 0 to the road's end [s].
+def limited_share(scenario: Scenario, strategy: type[Controller], time: float) -> float:
+    """Return the expected share of a run's control steps at a limit, given its time over the road [s].
 
-    The car brakes with the maximum deceleration, slows down by its resistances until its rear axle has left the last
-    bump, then holds its speed.
+    The force that a controller asks for on a rough road is some two times that of the passive suspension, whose
+    variance has a closed form for a quarter car: road velocity as white noise of density A does work on a tyre of
+    stiffness k_t at a mean power of A k_t / 2, all of which the damper dissipates, so the deflection's rate has the
+    variance A k_t / (2 c) and the deflection A (m_b + m_w) / (2 c). Where the real springs are softer than the
+    controller believes, its loop may be unstable and stays at a limit.
     """
-    speed, road, brake = scenario.speed, scenario.road, scenario.brake
-    initial = speed.initial
-    if speed_plan_on(strategy, scenario) == "constant":
-        return road.length / initial
-    chain, target = BrakeChain(brake, scenario.vehicle.total_mass), min(initial, speed.target)
-    distance, left = scenario.bump_start - scenario.braking_start, min(scenario.bump_left, road.length)
-    braked = max(0.0, distance - brake.pressure_lag * initial)
-    _, arrival = _slowing(chain, initial, target, braked, brake.maximum_deceleration)
-    coasting, last = _slowing(chain, arrival, target - TARGET_BAND, left - scenario.bump_start)
-    before = scenario.braking_start / initial + distance / ((initial + arrival) / 2)
-    return before + coasting + (road.length - left) / last
+    mpc, predictive = scenario.mpc, issubclass(strategy, PredictiveController)
+    if scenario.mismatch.springs < 1:
+        return 1.0
+    force, travel = _passive_deviations(scenario, scenario.road.length / time)
+    most = min(mpc.force_limit if predictive else inf, scenario.actuator.saturation or inf)
+    free = 1 - erfc(most / (sqrt(2) * FORCE_RATIO * force))
+    if predictive:
+        free *= 1 - erfc(mpc.deflection_limit / (sqrt(2) * travel))
+        bump = scenario.road.bump
+        if abs(bump.height) > mpc.deflection_limit:
+            crossing = (bump.length + scenario.rear_axle_offset) / scenario.road.length
+            free *= 1 - min(1.0, crossing + (mpc.prediction_horizon * mpc.sample_time + SETTLING) / time)
+    return 1 - free
 
 
-def _slowing(
-    chain: BrakeChain, speed: float, floor: float, distance: float, braking: float = 0.0
-) -> tuple[float, float]:
-    """Time [s] over a distance [m] on which a car slows down to a floor [m/s], and its speed at the end [m/s].
+def _passive_deviations(scenario: Scenario, speed: float) -> tuple[float, float]:
+    """Return the standard deviations of the passive suspension's force [N] and deflection [m] at a speed [m/s]."""
+    vehicle = scenario.vehicle
+    density = (2 * pi * REFERENCE_FREQUENCY) ** 2 * max(scenario.road.roughness, MIN_ROUGHNESS) * speed / 2
+    share = vehicle.cg_to_rear / vehicle.wheelbase
+    axles = (
+        (share, vehicle.front_wheel_mass, vehicle.front_spring, vehicle.front_damping, vehicle.front_tyre_stiffness),
+        (1 - share, vehicle.rear_wheel_mass, vehicle.rear_spring, vehicle.rear_damping, vehicle.rear_tyre_stiffness),
+    )
+    travels = [density * (mass * vehicle.body_mass + wheel) / (2 * damping) for mass, wheel, _, damping, _ in axles]
+    forces = [
+        spring**2 * travel + damping * density * tyre / 2
+        for travel, (_, _, spring, damping, tyre) in zip(travels, axles, strict=True)
+    ]
+    return sqrt(max(forces)), sqrt(max(travels))
+
+
+def work(scenario: Scenario, strategy: type[Controller], time: float, share: float) -> dict[str, float]:
+    """Return how many of each unit of `SECONDS` a run has.
 
     Args:
-        chain: Whose resistances slow it down.
-        speed: That it begins with [m/s].
-        floor: The least, which it then holds [m/s].
-        distance: [m].
-        braking: Deceleration by the brakes [m/s^2].
+        scenario: What is driven.
+        strategy: What drives it.
+        time: The run's [s].
+        share: Of its control steps, at a limit.
     """
-    constant = max(braking + chain.rolling, 1e-6)
-    air = max(chain.air, 1e-6)  # of the speed's square [1/m]
-    equal = sqrt(constant / air)  # the speed at which air drag equals all else [m/s]
-    slowing = min(distance, log((speed**2 + equal**2) / (floor**2 + equal**2)) / (2 * air))
-    end = sqrt((speed**2 + equal**2) * exp(-2 * air * slowing) - equal**2)
-    time = (atan(speed / equal) - atan(end / equal)) / sqrt(constant * air)
-    return time + (distance - slowing) / end, end
-
-
-def work(scenario: Scenario, strategy: type[Controller], time: float, expected: LimitShares) -> dict[str, float]:
-    """How many of each unit of `SECONDS` a run has, given its time over the road [s]."""
     by_ecu, controller = issubclass(strategy, EcuController), strategy().for_scenario(scenario)
     counts = {"run": 1.0, "fine steps": time / _fine_step(scenario, strategy)}
     counts["uncached steps"] = max(0.0, counts["fine steps"] - CACHED_STEPS)
@@ -215,7 +218,7 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, expected: 
         return counts
     steps = time / scenario.mpc.sample_time
     # An ECU checks its limits in every step, and its own units say what that takes.
-    limited = 0.0 if by_ecu else expected.limited * steps
+    limited = 0.0 if by_ecu else share * steps
     if strategy.linear_law is Controller.linear_law:  # asked in every step
         limited = steps
     counts["limited steps"] = limited
@@ -235,14 +238,14 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, expected: 
             "ECU entries": steps * checks * inputs,
             "ECU iterations": 0.5 * steps * checks * scenario.hil.iterations,
         }
-    unknowns, solved = 2 * moves + 2, expected.solved * steps
+    unknowns, solved = 2 * moves + 2, share * steps
     counts |= {
         "check entries": (1.3 * steps + 8 * limited) * checks * inputs,
         "QPs": solved,
         "QP entries": solved * unknowns * inputs,
     }
     if controller.solver == "osqp":
-        counts["OSQP"] = solved * osqp_effort(expected.iterations, unknowns, 4 * horizon)
+        counts["OSQP"] = solved * osqp_effort(ITERATIONS, unknowns, 4 * horizon)
     return counts
 
 

@@ -7,12 +7,14 @@ from backend.compute.fair_queue import SHORT
 from backend.errors import CHEAPER_RUN, CostLimitError
 from backend.gate.budget import Budget
 from backend.gate.rate import TokenBucket
-from backend.gate.turns import CLIENT_PLACES, PLACES, Turns, current_ticket
+from backend.gate.turns import Turns, current_ticket
 from backend.settings import MAX_BATCH_RUNS, MEBIBYTE, Settings
 
 MEMORY = 128 * MEBIBYTE  # of long request bodies and pinned time histories that are being read
 STREAMS = 256
 LINKS, LINKS_EACH_SECOND = 120, 2.0  # of one client; a link counts three for each time history that it pins
+CLIENT_PLACES = 2  # of one client, beside one for each worker
+OTHERS_PLACES = 4  # beside those of one client
 SERVICE_QUEUES = 2  # of one client's length is the queue of all
 
 
@@ -28,8 +30,15 @@ class Gate:
 
     def __init__(self, settings: Settings) -> None:
         longest = settings.max_client_requests
+        places = settings.workers + CLIENT_PLACES
         self.computing_turns, self.reading_turns = (
-            Turns(client_queue=longest, queue=SERVICE_QUEUES * longest) for _ in range(2)
+            Turns(
+                client_places=places,
+                places=places + OTHERS_PLACES,
+                client_queue=longest,
+                queue=SERVICE_QUEUES * longest,
+            )
+            for _ in range(2)
         )
         self.memory = Budget("the memory for long bodies and pinned time histories", MEMORY)
         self.streams = Budget("the event streams", STREAMS)
@@ -86,10 +95,12 @@ class Gate:
     def limits(self) -> list[dict[str, str]]:
         """Return each limit, its value, and what whoever is beyond it gets."""
         limits, turns = self._settings, self.computing_turns
+        more = CLIENT_PLACES + OTHERS_PLACES
+        places = f"one for each worker and {more} more, of one client {CLIENT_PLACES} more"
         links = f"{LINKS} at once, then {LINKS_EACH_SECOND:g} a second; a pinned time history counts three"
         files = f"{limits.spool_bytes // MEBIBYTE} MiB, of one client half, in one file a quarter"
         rows = (
-            ("requests handled at once", f"{PLACES}, of one client {CLIENT_PLACES}", "waits for its turn"),
+            ("requests handled at once", places, "waits for its turn"),
             ("requests of one client, waiting or handled", f"{turns.client_queue}", "429"),
             ("requests of all clients", f"{turns.queue}", "503, where its client has its share of them"),
             ("estimated cost of one request", f"{limits.max_request_cost:g} s of one core", "422"),

@@ -8,8 +8,6 @@ from contextvars import ContextVar
 
 from backend.errors import BusyError, TooManyRequestsError
 
-PLACES, CLIENT_PLACES = 16, 12  # handled at once, of all and of one client: another one finds a place at once
-
 
 class Ticket:
     """A request in a queue, or in one of the places.
@@ -47,11 +45,15 @@ class Turns:
     """A queue of each client, and the places of those whose turn it is. Of several clients each is next once a round.
 
     Args:
+        client_places: Requests of one client that are handled at once.
+        places: Those of all; more, so that another client finds a place at once.
         client_queue: Requests that one client may have open, waiting or handled.
         queue: Requests that all may have open; a client with less than its share of them may have one more.
     """
 
-    def __init__(self, *, client_queue: int, queue: int) -> None:
+    def __init__(self, *, client_places: int, places: int, client_queue: int, queue: int) -> None:
+        self.client_places = client_places
+        self.places = places
         self.client_queue = client_queue
         self.queue = queue
         self._open: Counter[str] = Counter()  # by client, waiting or handled
@@ -117,8 +119,8 @@ class Turns:
         self._dispatch()
 
     def _dispatch(self) -> None:
-        while self._handled.total() < PLACES:
-            client = next((each for each in self._waiting if self._handled[each] < CLIENT_PLACES), None)
+        while self._handled.total() < self.places:
+            client = next((each for each in self._waiting if self._handled[each] < self.client_places), None)
             if client is None:
                 return
             queue = self._waiting.pop(client)

@@ -8,7 +8,7 @@ from typing import Any
 import httpx
 import pytest
 
-from backend.gate.turns import CLIENT_PLACES, Turns
+from backend.gate.turns import Turns
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
 HERE = "127.0.0.1"  # the client of these tests
@@ -73,11 +73,11 @@ def test_who_hangs_up_while_waiting_for_a_turn_waits_no_more(service: Any, run: 
     turns: Turns = service.services.gate.reading_turns
 
     async def take() -> None:
-        for _ in range(CLIENT_PLACES):
+        for _ in range(turns.client_places):
             await turns.take_place(HERE)
 
     async def give_back() -> None:
-        for _ in range(CLIENT_PLACES):
+        for _ in range(turns.client_places):
             turns.free_place(HERE)
 
     service.inside(take())

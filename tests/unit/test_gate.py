@@ -13,17 +13,19 @@ from backend.errors import BusyError, CostLimitError, TooManyRequestsError
 from backend.gate import Gate
 from backend.gate.budget import Budget
 from backend.gate.rate import TokenBucket
-from backend.gate.turns import CLIENT_PLACES, PLACES, Turns
+from backend.gate.turns import Turns
 from backend.http.client_key import client_key
 from backend.settings import Settings
 from tests.servers import loops
+
+PLACES, CLIENT_PLACES = 16, 12
 
 
 class Crowd:
     """Requests that wait for their turn; those that have it end when they are told to."""
 
     def __init__(self, client_queue: int = 1000, queue: int = 1000) -> None:
-        self.turns = Turns(client_queue=client_queue, queue=queue)
+        self.turns = Turns(client_places=CLIENT_PLACES, places=PLACES, client_queue=client_queue, queue=queue)
         self.handled: list[tuple[str, asyncio.Event]] = []  # in the order of their turns
         self.tasks: list[asyncio.Task[None]] = []
 
@@ -144,7 +146,7 @@ def test_no_client_is_passed_over_whatever_is_sent_and_called_off(seed: int) -> 
 
 
 def test_only_a_queue_longer_than_stated_is_refused() -> None:
-    turns = Turns(client_queue=4, queue=6)
+    turns = Turns(client_places=2, places=4, client_queue=4, queue=6)
     with contextlib.ExitStack() as held:
 
         def take(client: str, count: int = 1) -> None:

@@ -4,7 +4,6 @@ import sys
 
 import pytest
 
-from backend.cost.binding_limits import LimitShares
 from backend.cost.estimate import work
 from backend.custom_controllers.description import described, stand_in
 from sim_core import Controller, check_controller, load_controllers, simulate
@@ -160,7 +159,7 @@ def forgetful(scenario: Scenario, kind: type[Controller]) -> tuple[str, ...]:
 
 def test_whether_a_run_is_too_expensive_follows_from_what_its_key_has(own_ways: dict[str, type[Controller]]) -> None:
     """Its horizon is its own: the scenario's is not in the key, and a failure would be stored for all of them."""
-    kind, shares = stand_in(described(own_ways["horizon"])), LimitShares(limited=1.0)
+    kind, shares = stand_in(described(own_ways["horizon"])), 1.0
     longer = BASE.model_copy(update={"mpc": Mpc(preview="none", prediction_horizon=200)})
     assert values_read(longer, kind) == values_read(BASE, kind)
     assert work(longer, kind, 5.0, shares) == work(BASE, kind, 5.0, shares)

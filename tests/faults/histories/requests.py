@@ -10,7 +10,6 @@ from backend.compute.shared_computations import SharedComputations
 from backend.compute.workers import RESERVED, Workers
 from backend.errors import TemporaryError, WorkerLostError, WorkersBusyError, WorkerTimeoutError
 from backend.gate.gate import Gate
-from backend.gate.turns import CLIENT_PLACES, PLACES
 from backend.settings import Settings
 from tests.faults.histories.loop import SimulatedLoop
 from tests.faults.histories.workers import Machine
@@ -125,8 +124,9 @@ class Requests:
             self.loop.broken("equal computations run at once")
 
     def _check(self) -> None:
-        handled = self._gate.computing_turns._handled
-        if any(not 0 < count <= CLIENT_PLACES for count in handled.values()) or handled.total() > PLACES:
+        turns = self._gate.computing_turns
+        handled = turns._handled
+        if any(not 0 < count <= turns.client_places for count in handled.values()) or handled.total() > turns.places:
             self.loop.broken(f"places: {handled}")
         forgotten = {args for args in self._machine.running.values() if args[0] not in self._shared._by_key}
         self._forgotten = {args: self._forgotten.get(args, self.loop.time()) for args in forgotten}
