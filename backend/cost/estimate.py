@@ -29,6 +29,7 @@ CACHED_STEPS = 3e5  # of a run: so many fine steps' arrays fit into the processo
 MIN_ROUGHNESS = 1e-8  # of a road without any [m^3]
 SETTLING = 0.5  # the bump's effect lasts so long after it [s]
 FORCE_RATIO = 2.0  # of a controller's force to the passive suspension's
+LEAST_HARD = 0.1  # of the control steps of a run by OSQP, with such a QP
 ITERATIONS = 350.0  # of OSQP, for one QP
 MAX_BYTES = 4.2e8  # of one run's arrays; whoever changes this or `memory` changes which scenarios have a result
 MAX_OPERATIONS = 3.3e11  # of one run's steps: some 30 s; its QPs have a limit of their own, `control.qp.MAX_EFFORT`
@@ -245,7 +246,8 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, share: flo
         "QP entries": solved * unknowns * inputs,
     }
     if controller.solver == "osqp":
-        counts["OSQP"] = solved * osqp_effort(ITERATIONS, unknowns, 4 * horizon)
+        hard = max(solved, LEAST_HARD * steps)  # one that never ends may come in any run
+        counts["OSQP"] = hard * osqp_effort(ITERATIONS, unknowns, 4 * horizon)
     return counts
 
 
