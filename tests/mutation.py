@@ -126,9 +126,10 @@ class Copies(SimpleQueue[Path]):
         copy = self.get()
         reached = copy.with_suffix(".json")
         failed = run_pytest(copy, "-p", "tests.mutation", str(file.relative_to(ROOT)), REACHED=str(reached))
-        assert failed is None, f"{failed} fails without a change"
         self.put(copy)
-        return json.loads(reached.read_text())
+        if failed:
+            print(f"{failed} fails without a change: its file is left out", flush=True)
+        return {"seconds": {}, "lines": {}} if failed else json.loads(reached.read_text())
 
     def of(self, name: str, line: int) -> list[str]:
         """Return the tests that reach a line, the quickest first: of the file where an import runs it, or C."""

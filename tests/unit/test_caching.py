@@ -19,26 +19,24 @@ from sim_core.speed.fuzzy import torque_rules
 from sim_core.strategies import STRATEGIES
 
 
-def test_latest_results_are_cached_while_they_fit() -> None:
-    calls: list[int] = []
+def test_latest_results_are_cached_while_they_fit_and_are_read_only() -> None:
+    cache = Cache(MEBIBYTE)
 
-    @Cache(MEBIBYTE).cached
-    def make(quarters: int, number: int) -> FloatArray:
-        calls.append(number)
-        return np.zeros(quarters * MEBIBYTE // 4 // 8 - 1000)
+    @cache.cached
+    def make(quarters: int, number: int) -> dict[str, tuple[FloatArray, ...]]:
+        whole = np.full(quarters * MEBIBYTE // 4 // 8 - 1000, float(number))
+        return {"whole and half": (whole, whole[: len(whole) // 2])}
 
-    assert make(1, 1) is make(1, 1)
-    for number in (2, 3, 4):
+    first = make(1, 1)
+    assert make(1, 1) is first
+    for number in (2, 3, 4, 5):  # four quarters fit
         make(1, number)
-    assert calls == [1, 2, 3, 4]
-    make(1, 1)  # still there: four quarters fit
-    assert calls == [1, 2, 3, 4]
-    make(1, 5)  # pushes 2 out, the one not used for longest
-    make(1, 2)
-    assert calls == [1, 2, 3, 4, 5, 2]
-    make(8, 6)
-    make(8, 6)  # larger than the whole cache: made again each time
-    assert calls[-2:] == [6, 6]
+    assert make(1, 1) is not first
+    assert make(8, 6) is not make(8, 6), "larger than the whole cache"
+    assert MEBIBYTE * 3 / 4 < cache.size <= MEBIBYTE
+    for array in (*first["whole and half"], *make(8, 6)["whole and half"]):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 1
 
 
 @pytest.mark.thorough
@@ -89,15 +87,3 @@ def arrays_reached_from(roots: list[object]) -> list[NDArray[Any]]:
         else:
             ways += gc.get_referents(value)
     return found
-
-
-def test_a_result_is_the_same_read_only_one_whether_it_is_cached_or_too_large() -> None:
-    @Cache(MEBIBYTE).cached
-    def make(length: int) -> dict[str, tuple[FloatArray, ...]]:
-        whole = np.zeros(length)
-        return {"whole and half": (whole, whole[: length // 2])}
-
-    for length in (10, MEBIBYTE):
-        for array in make(length)["whole and half"]:
-            with pytest.raises(ValueError, match="read-only"):
-                array[0] = 1

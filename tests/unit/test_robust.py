@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from backend.batches.robustness import UNCERTAINTIES
 from benchmarks import robust
 from sim_core.scenario import Scenario, dotted
 from sim_core.scenario.presets import preset
@@ -37,10 +36,3 @@ def test_with_an_estimated_state_it_does_so_on_the_rough_road() -> None:
 @pytest.mark.thorough
 def test_the_papers_weights_with_all_of_the_road_do_not() -> None:
     assert min(better_than_the_papers_lqr(Scenario())) < 0.5
-
-
-@pytest.mark.parametrize("seed", [1, 2])
-def test_points_are_scenarios_within_the_ranges(seed: int) -> None:
-    for point in robust.points(3, seed):
-        for each in UNCERTAINTIES:
-            assert each.low <= point[each.field] <= each.high
