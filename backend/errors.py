@@ -14,7 +14,7 @@ class ServiceError(Exception):
 
     Args:
         message: What is wrong and what would be right, for a person to read.
-        kind: One of `backend.http.kinds`, where the class has several.
+        kind: One of `backend.http.problem_types`, where the class has several.
         pointer: The part of the request's body that is to blame (RFC 6901).
         parameter: The parameter that is to blame.
         errors: `{"pointer" or "parameter", "message"}` of each, where several are.

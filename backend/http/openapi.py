@@ -1,126 +1,37 @@
 """The service's OpenAPI description: FastAPI's, with additions it cannot derive.
 
-Headers, examples, links and tags stand here and not at each route, because they follow from a status, a name or a type.
+Headers, examples, links, tags, and what fields mean that are the same everywhere stand in description.json, not at
+each route.
 """
 
 import json
 import threading
 from collections.abc import Iterator
 from functools import lru_cache
+from pathlib import Path
 from typing import Any
 
 from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
 from backend.digest import STRATEGY_PATTERN
-from backend.http.field_descriptions import EVERYWHERE, OF_MODELS
-from backend.http.kinds import KINDS
+from backend.http.problem_types import KINDS
 from backend.http.problems import MEDIA_TYPE, Problem
 from backend.http.request_log import HEADER
 from backend.http.tokens import COOKIE
 from backend.json_types import JsonObject
-from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.check_controller import ID
 from sim_core.strategies import STRATEGIES, strategies
 
-TAGS = {
-    "runs": "A scenario and the strategies that drive it: computed once, stored, read, drawn.",
-    "batches": "Sweeps and robustness studies: many runs, submitted, followed and read as one.",
-    "roads": "Measured roads: sent as CSV, named by scenarios.",
-    "recordings": "Recorded drives: sent as CSV, shown among a run's strategies.",
-    "tunings": "Searches for better weights.",
-    "links": "Links that open a run or a batch as it was shared.",
-    "paper": "The paper's tables and figures, checked.",
-    "controller": "The controller as a program for a small processor.",
-    "schema": "What there is to choose from: fields, presets, vehicles, strategies, signals, figures.",
-    "login": "The page's login, where the service wants a token.",
-    "health": "For those who operate the service.",
-}
-HEADERS: dict[str, JsonObject] = {
-    HEADER: {"description": "The request's name, also in the service's log", "required": True},
-    "Retry-After": {"description": "When to ask again [s]", "schema": {"type": "integer"}},
-    "WWW-Authenticate": {"description": "`Bearer`", "required": True},
-    "Location": {"description": "Where it is", "required": True},
-    "ETag": {"description": "For If-None-Match; a long file has none"},
-    "Set-Cookie": {"description": "The page's cookie, HttpOnly and SameSite=Strict", "required": True},
-    "Content-Disposition": {"description": "A file's name; not of JSON"},
-}
-OF_STATUS = {
-    "201": ["Location"],
-    "202": ["Location"],
-    "304": ["ETag"],
-    "401": ["WWW-Authenticate"],
-    "429": ["Retry-After"],
-    "503": ["Retry-After"],
-}
 OF_ROWS = frozenset({"EqualSpeed"})  # its `strategy` is a row's id
 BYTES: JsonObject = {"type": "string", "format": "binary"}
 FILES = frozenset({"text/csv", "application/zip", "text/html"})  # answers that come with a file's name
 
-SCENARIO = {"road": {"length": 130, "bump": {"height": 0.08}}, "speed": {"target_speed_kmh": 25}}
-EXAMPLES: dict[str, JsonObject] = {  # of bodies, by their schema
-    "RunRequest": {"scenario": SCENARIO, "strategies": ["lv", "passive"]},
-    "LiveRequest": {"scenario": SCENARIO, "strategies": ["lv"], "points": 200, "signals": [PAPER_SIGNALS[0]]},
-    "FrequencyRequest": {"scenario": SCENARIO, "strategies": ["lqr", "passive"], "frequencies": [1, 5, 11]},
-    "FuzzyRequest": {"scenario": {"fuzzy": {"rules": [{"if": {"speed_error": "V"}, "then": "V"}]}}},
-    "SolveRequest": {
-        "scenario": SCENARIO,
-        "strategy": "passive",
-        "field": "road.bump.height",
-        "range": [0.01, 0.2],
-        "metric": "bump.body_acceleration.peak",
-        "limit": 4,
-    },
-    "BatchRequest": {
-        "scenario": SCENARIO,
-        "strategies": ["lqr", "passive"],
-        "sweep": {"grid": {"road.bump.height": [0.05, 0.1]}},
-    },
-    "TuningRequest": {
-        "scenario": SCENARIO,
-        "strategy": "lqr",
-        "trials": 2,
-        "population": 2,
-        "seeds": [1],
-        "fresh_seeds": [2, 3],
-    },
-    "LinkRequest": {"run_id": "AAAAAAAAAAAAAAAAAAAAAA", "view": {"baseline": "passive", "axis": "time"}},
-    "ControllerRequest": {"scenario": SCENARIO},
-    "FmuRequest": {"scenario": SCENARIO, "strategy": "lqr", "platforms": ["linux64"]},
-    "LabelRequest": {"label": "winter"},
-    "DataSheet": {
-        "front_axle_load": 760,
-        "rear_axle_load": 640,
-        "front_axle_mass": 70,
-        "rear_axle_mass": 60,
-        "wheelbase": 2.6,
-        "front_frequency": 1.2,
-        "rear_frequency": 1.4,
-        "front_damping_ratio": 0.25,
-        "rear_damping_ratio": 0.3,
-        "front_tyre_stiffness": 200_000,
-        "rear_tyre_stiffness": 200_000,
-    },
-    "LoginRequest": {"token": "0d1c7a4be8f2915c3366a0f4c1be7fd20a93b1c5de44f708"},
-}
 _MAKING = threading.Lock()  # making it takes seconds of a core: whoever asks meanwhile waits for that one
-LINKS = {  # operations that take the id, by the operation that answers with it
-    "createRun": ("200", "$response.body#/id", ["getRun", "getRunFigures", "getRunReport"]),
-    "solve": ("200", "$response.body#/run_id", ["getRun", "getRunFigures", "getRunReport"]),
-    "createBatch": (
-        "202",
-        "$response.body#/id",
-        ["getBatch", "labelBatch", "cancelBatch", "resumeBatch", "deleteBatch", "getBatchResults", "getBatchTable"],
-    ),
-    "createTuning": (
-        "202",
-        "$response.body#/id",
-        ["getTuning", "labelTuning", "cancelTuning", "resumeTuning", "deleteTuning", "getTuningTrials"],
-    ),
-    "createRecording": ("201", "$response.body#/id", ["getRecording"]),
-    "createRoad": ("201", "$response.body#/id", ["getRoad"]),
-    "createLink": ("201", "$response.body#/slug", ["getLink"]),
-}
+DESCRIPTION = json.loads(Path(__file__).with_name("description.json").read_text(encoding="utf-8"))
+EXAMPLES: dict[str, JsonObject] = DESCRIPTION["examples"]  # of bodies, by their schema
+FIELDS: dict[str, str] = DESCRIPTION["fields"]  # what they mean whose models do not say it, by name
+FIELDS_OF_MODELS: dict[str, str] = DESCRIPTION["fields_of_models"]  # likewise, by model and name
 
 
 def describe(app: FastAPI) -> JsonObject:
@@ -138,11 +49,13 @@ def encoded(app: FastAPI) -> bytes:
 @lru_cache(maxsize=1)
 def _described(app: FastAPI, names: tuple[str, ...]) -> tuple[JsonObject, bytes]:
     whole = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
-    whole["tags"] = [{"name": name, "description": text} for name, text in TAGS.items()]
+    whole["tags"] = [{"name": name, "description": text} for name, text in DESCRIPTION["tags"].items()]
     components = whole["components"]
     problem = Problem.model_json_schema(ref_template="#/components/schemas/{model}", mode="serialization")
     components["schemas"] |= {**problem.pop("$defs"), "Problem": problem}
-    components["headers"] = {name: {"schema": {"type": "string"}, **header} for name, header in HEADERS.items()}
+    components["headers"] = {
+        name: {"schema": {"type": "string"}, **header} for name, header in DESCRIPTION["headers"].items()
+    }
     components["securitySchemes"] = {
         "token": {"type": "http", "scheme": "bearer", "description": "Where the service has a file of tokens"},
         "login": {"type": "apiKey", "in": "cookie", "name": COOKIE, "description": "What the page's login sets"},
@@ -180,7 +93,7 @@ def _describe_fields(model: str, schema: JsonObject, schemas: JsonObject) -> Non
         if "description" not in field:
             shown = _shown_model(field)
             of_shown = None if shown is None else schemas[shown]["description"].partition("\n")[0]
-            if described := OF_MODELS.get(f"{model}.{name}") or of_shown or EVERYWHERE.get(name):
+            if described := FIELDS_OF_MODELS.get(f"{model}.{name}") or of_shown or FIELDS.get(name):
                 field["description"] = described
 
 
@@ -209,7 +122,7 @@ def _describe_answers(operation: JsonObject) -> None:
             answer["description"] = " ".join(f"`{kind.name}`: {kind.meaning} {kind.remedy}" for kind in kinds)
         elif answer.get("description") == "Successful Response":
             answer["description"] = operation["description"].partition("\n")[0]
-        names = [HEADER, *OF_STATUS.get(status, [])]
+        names = [HEADER, *DESCRIPTION["headers_of_status"].get(status, [])]
         if status == "204" and "login" in operation["tags"]:
             names.append("Set-Cookie")
         if status == "200" and "304" in answers:
@@ -217,11 +130,10 @@ def _describe_answers(operation: JsonObject) -> None:
         if status == "200" and any(media_type.partition(";")[0] in FILES for media_type in content):
             names.append("Content-Disposition")
         answer["headers"] = {name: {"$ref": f"#/components/headers/{name}"} for name in names}
-    if operation["operationId"] in LINKS:
-        status, expression, others = LINKS[operation["operationId"]]
-        parameter = "slug" if expression.endswith("slug") else "id"
-        answers[status]["links"] = {
-            other: {"operationId": other, "parameters": {parameter: expression}} for other in others
+    if link := DESCRIPTION["links"].get(operation["operationId"]):  # operations that take the id that this one answers
+        parameter = "slug" if link["expression"].endswith("slug") else "id"
+        answers[link["status"]]["links"] = {
+            other: {"operationId": other, "parameters": {parameter: link["expression"]}} for other in link["operations"]
         }
 
 

@@ -13,7 +13,7 @@ from sqlalchemy.exc import SQLAlchemyError
 from starlette.exceptions import HTTPException
 
 from backend.errors import EcuUnavailableError, ServiceError
-from backend.http.kinds import KINDS, OF_STATUS, TYPES
+from backend.http.problem_types import KINDS, OF_STATUS, TYPES
 from backend.http.request_log import request_id
 from backend.http.validation import to_field_error
 from backend.metrics import REFUSED, STORE_ERRORS
@@ -74,7 +74,7 @@ class RequestError(ServiceError):
     """A request that cannot be used as it was sent.
 
     Args:
-        kind: One of `backend.http.kinds`.
+        kind: One of `backend.http.problem_types`.
         message: What is wrong and what would be right, for a person to read; None is the kind's meaning.
         status: HTTP status, of a kind with several.
         errors: `{"pointer" or "parameter", "message"}` of each part that is to blame.
@@ -104,7 +104,7 @@ def problem(
     """The response with this problem.
 
     Args:
-        kind: One of `backend.http.kinds`.
+        kind: One of `backend.http.problem_types`.
         detail: What is wrong; None is the kind's meaning.
         status: None is the kind's first one.
         errors: `{"pointer" or "parameter", "message"}` of each part that is to blame.

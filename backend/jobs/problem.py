@@ -1,7 +1,7 @@
 """A problem that planning met, kept with its job in the form in which a request would have been answered."""
 
 from backend.errors import ServiceError
-from backend.http.kinds import KINDS, TYPES
+from backend.http.problem_types import KINDS, TYPES
 from backend.json_types import JsonObject
 from backend.models import Answer
 

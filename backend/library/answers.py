@@ -7,7 +7,7 @@ from functools import cache
 import orjson
 
 from backend import custom_controllers
-from backend.http.kinds import KINDS
+from backend.http.problem_types import KINDS
 from backend.json_types import JsonObject
 from backend.runs import figures
 from sim_core import library

@@ -21,7 +21,7 @@ from fastapi import FastAPI
 from backend import app
 from backend.errors import BusyError, RoadGoneError, ServiceError, TooManyRequestsError
 from backend.http import openapi
-from backend.http.field_descriptions import EVERYWHERE, OF_MODELS
+from backend.http.openapi import FIELDS, FIELDS_OF_MODELS
 from backend.library.models import Catalogue, PresetAnswer, StrategyAnswer
 from backend.runs.service import Runs
 from backend.settings import Settings
@@ -165,10 +165,8 @@ def test_schemas_have_titles_of_their_own_and_every_field_is_described(descripti
         for field, each in schema.get("properties", {}).items()
     }
     assert [name for name, each in fields.items() if not each.get("description")] == []
-    unused = {
-        field for field in EVERYWHERE if not any(each["description"] == EVERYWHERE[field] for each in fields.values())
-    }
-    assert unused | (OF_MODELS.keys() - fields.keys()) == set()
+    unused = {field for field in FIELDS if not any(each["description"] == FIELDS[field] for each in fields.values())}
+    assert unused | (FIELDS_OF_MODELS.keys() - fields.keys()) == set()
 
 
 def test_files_are_bytes_or_text(description: dict[str, Any]) -> None:

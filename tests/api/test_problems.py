@@ -18,7 +18,7 @@ from backend.errors import (
 )
 from backend.http import openapi
 from backend.http.guard import HEADERS
-from backend.http.kinds import KINDS
+from backend.http.problem_types import KINDS
 from backend.http.problems import Problem
 from sim_core.errors import RidelabError, TooExpensiveError
 from sim_core.scenario import Scenario

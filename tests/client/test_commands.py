@@ -12,7 +12,7 @@ import httpx
 import pytest
 
 from backend.batches.robustness import UNCERTAINTIES
-from backend.http.kinds import KINDS
+from backend.http.problem_types import KINDS
 from backend.runs.instants import as_answer
 from backend.runs.reports import inputs
 from ridelab import Ridelab
