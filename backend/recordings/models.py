@@ -37,7 +37,7 @@ class RecordingRow(Answer):
     """A recording in a list."""
 
     id: str
-    strategy: str
+    strategy: str = Field(description="recording:ID, as runs take it among their strategies")
     samples: int
     signals: list[str] = Field(description="By the catalogue's names")
     created_at: datetime = Field(description="When it was last sent")
