@@ -9,13 +9,9 @@ from typing import Any
 
 import httpx
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
-from pydantic import ValidationError
 
-from backend.batches import points as sweep_points
 from backend.jobs import dispatch
-from sim_core.scenario import Scenario, dotted
+from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
 from tests.api.streams import read_events
 from tests.servers.batches import computed, rows, wait_for
@@ -116,27 +112,6 @@ def test_rows_come_page_by_page_and_as_csv_by_accept(client: httpx.Client, batch
     assert asked.text.splitlines() == [whole[0], *whole[11:]]
 
 
-def test_fields_of_a_sweep_are_dotted_or_nested(client: httpx.Client) -> None:
-    def sweep_of(sweep: dict[str, Any]) -> Any:
-        return sweep_points.Sweep.model_validate(sweep)
-
-    height, cube = {"road": {"bump": {"height": [0.05, 0.1]}}}, {"samples": 3, "seed": 0}
-    flat = {"road.bump.height": [0.05, 0.1]}
-    link = {"linked": {"road": {"bump.height": ["road.bump.width"]}}}
-    assert sweep_of({"grid": height, **link}).model_dump(exclude_none=True) == {
-        "grid": flat,
-        "linked": {"road.bump.height": ["road.bump.width"]},
-    }
-    assert sweep_of({"latin_hypercube": {"ranges": height, **cube}}) == sweep_of(
-        {"latin_hypercube": {"ranges": flat, **cube}}
-    )
-    curve = [[-0.1, -300], [0.1, 500]]
-    point = {"vehicle": {"front_damper_curve": curve}, "road.seed": 2}
-    assert sweep_of({"list": [point]}).points == [{"vehicle.front_damper_curve": curve, "road.seed": 2}]
-    refused = submit(client, {"list": [{"road": {"sed": 1}}]})
-    assert refused.json()["errors"][0]["pointer"] == "/sweep/list/0/road.sed"
-
-
 def test_columns_are_the_same_numbers(client: httpx.Client, batch: dict[str, Any]) -> None:
     path = f"/api/v1/batches/{batch['id']}/table"
     answer = client.get(path, params={"figures": "bump.body_acceleration.peak,travel_time"}).json()
@@ -168,27 +143,6 @@ def test_events_tell_everything_once_and_replay_after_a_number(client: httpx.Cli
     assert events(client, batch["id"], headers={"Last-Event-ID": "2"}) == heard[2:]
     assert events(client, batch["id"], params={"after": 2}) == heard[2:]
     assert events(client, batch["id"], headers={"Last-Event-ID": "what\u00a0ever".encode()}) == heard
-
-
-def test_a_latin_hypercube_is_spread_over_its_ranges_and_the_same_for_a_seed() -> None:
-    ranges: dict[str, list[float]] = {
-        "road.bump.height": [0.02, 0.1],
-        "mpc.prediction_horizon": [22, 26],
-        "mpc.stage_weights.bump.2": [1, 9],
-    }
-    cube = {"latin_hypercube": {"ranges": ranges, "samples": 20, "seed": 5}}
-    sweep, base = sweep_points.Sweep.model_validate(cube), Scenario().model_dump(mode="json")
-    points = sweep_points.points(sweep, base)
-    assert sweep_points.fields_of(sweep) == list(ranges)
-    assert sweep_points.points(sweep, base, 7, 5) == points[7:12]
-    for name, (low, high) in ranges.items():
-        values = [dotted.value(dotted.with_changes(base, point), name) for point in points]
-        assert all(low <= value <= high for value in values)
-        if name != "mpc.prediction_horizon":
-            width = (high - low) / 20
-            assert sorted(int((value - low) / width) for value in values) == list(range(20)), "one in each stratum"
-        else:
-            assert set(values) == {22, 23, 24, 25, 26}
 
 
 def test_a_list_takes_points_as_they_are_and_fills_what_they_leave_out(client: httpx.Client) -> None:
@@ -411,27 +365,3 @@ def test_pages_follow_each_other_by_their_cursors(client: httpx.Client) -> None:
             break
         parameters["cursor"] = page["next"]
     assert listed == everything
-
-
-@given(st.data())
-def test_any_field_can_be_swept_and_what_it_takes_is_what_a_scenario_takes(data: st.DataObject) -> None:
-    base = Scenario().model_dump(mode="json")
-    name = data.draw(st.sampled_from(list(dotted.fields())))
-    value = data.draw(
-        st.one_of(st.floats(0, 60), st.integers(0, 60), st.sampled_from(["none", "osqp", "flat"]), st.none())
-    )
-    sweep = sweep_points.Sweep.model_validate({"grid": {name: [value]}})
-    integer = dotted.field(name).kind == "integer"
-    whole = integer and isinstance(value, float) and value.is_integer()
-    expected = round(value) if whole and isinstance(value, float) else value  # 3.0 is taken for a whole number
-    try:
-        Scenario.model_validate(dotted.with_changes(base, {name: expected}))
-        refused = False
-    except ValidationError as error:  # fields that contradict each other are no matter of the sweep
-        refused = any(item["type"] != "inconsistent" for item in error.errors())
-    if refused:
-        with pytest.raises(sweep_points.SweepError):
-            sweep_points.points(sweep, base)
-    else:
-        (point,) = sweep_points.points(sweep, base)
-        assert dotted.value(dotted.with_changes(base, point), name) == expected

@@ -1,5 +1,6 @@
 """Batches a service accepted: whatever becomes of it, each completes, and each result is stored once."""
 
+import itertools
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -9,6 +10,8 @@ from backend.db.tables import job_runs, results
 from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate
 from tests.servers.process import HANG_TIMEOUT, ask, wait_until
+
+_counter = itertools.count()
 
 
 @dataclass
@@ -20,7 +23,8 @@ class Accepted:
         database: Where it is looked at from outside.
         seed: Same seed, same batches.
         runs: Of each batch; an even number.
-        batches: Their ids.
+        batches: How many runs each has, by its id.
+        trials: Of tunings that were submitted beside them.
         stored: Rows of results by key, as they were first seen.
     """
 
@@ -28,25 +32,32 @@ class Accepted:
     database: str
     seed: int
     runs: int
-    batches: list[str] = field(default_factory=list)
+    batches: dict[str, int] = field(default_factory=dict)
+    trials: dict[str, Any] = field(default_factory=dict)
     stored: dict[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         patience = {"timeout": HANG_TIMEOUT} if self.database.startswith("sqlite") else {}
         self.engine = create_engine(self.database, connect_args=patience, poolclass=NullPool)
 
-    def submit(self) -> None:
-        """Submit a new batch, with one idempotency key until it is accepted."""
-        number = len(self.batches)
+    def submit(self, runs: int | None = None) -> str:
+        """Submit a new batch, with one idempotency key until it is accepted; return its id."""
+        number, runs = len(self.batches), runs or self.runs
         ranges = {"road.bump.height": [0.02, 0.12]}
-        sweep = {"latin_hypercube": {"ranges": ranges, "samples": self.runs // 2, "seed": number}}
+        sweep = {"latin_hypercube": {"ranges": ranges, "samples": runs // 2, "seed": number}}
         body = {"scenario": {"road": {"length": 126.0}}, "strategies": ["lv", "passive"], "sweep": sweep}
-        key = {"Idempotency-Key": f"accepted-{self.seed}-{number}"}
-        self.batches.append(ask(self.url, "POST", "/batches", json=body, headers=key)["id"])
+        key = {"Idempotency-Key": f"accepted-{self.seed}-{next(_counter)}"}
+        batch_id = str(ask(self.url, "POST", "/batches", json=body, headers=key)["id"])
+        self.batches[batch_id] = runs
+        return batch_id
+
+    def forget(self, job: str) -> None:
+        """Expect nothing of a job (its path) that was deleted."""
+        self.batches.pop(job.rpartition("/")[2], None)
 
     def waiting(self) -> int:
         """Runs that are not computed yet."""
-        query = select(func.count()).where(job_runs.c.job_id.in_(self.batches), job_runs.c.status == "waiting")
+        query = select(func.count()).where(job_runs.c.job_id.in_(list(self.batches)), job_runs.c.status == "waiting")
         with self.engine.connect() as connection:
             return int(connection.execute(query).scalar_one())
 
@@ -71,7 +82,7 @@ class Accepted:
         for batch_id in self.batches:
             self._finish_one(batch_id)
         self.check_stored()
-        keys = select(job_runs.c.result_key).where(job_runs.c.job_id.in_(self.batches))
+        keys = select(job_runs.c.result_key).where(job_runs.c.job_id.in_(list(self.batches)))
         with self.engine.connect() as connection:
             assert set(connection.execute(keys).scalars()) <= set(self.stored), "a result of every run"
             if self.engine.dialect.name == "sqlite":
@@ -85,11 +96,20 @@ class Accepted:
             return batch["state"] not in ("planning", "queued", "running")
 
         wait_until(is_over, f"{batch_id} ends", pause=0.2)
-        assert (batch["state"], batch["done"], batch["failed"]) == ("done", self.runs, 0), batch["reason"]
-        rows = ask(self.url, "GET", f"/batches/{batch_id}/results")["rows"]
-        assert [row["run"] for row in rows] == list(range(self.runs))
-        assert {row["status"] for row in rows} == {"ok"}
-        _is_right(batch, rows[self.seed % self.runs])
+        assert batch["state"] == "done", batch["reason"]
+        self.check_rows(batch)
+
+    def check_rows(self, batch: dict[str, Any]) -> None:
+        """Check the rows of a batch that is done, or was cancelled and keeps what is finished."""
+        rows = ask(self.url, "GET", f"/batches/{batch['id']}/results")["rows"]
+        done = [row for row in rows if row["status"] == "ok"]
+        if batch["state"] == "done":
+            assert (batch["total"], len(done)) == (self.batches[batch["id"]],) * 2
+        assert [row["run"] for row in rows] == list(range(batch["total"] or 0))
+        assert {row["status"] for row in rows} <= {"ok", "cancelled"}
+        assert (batch["done"], batch["failed"]) == (len(done), 0)
+        if done:
+            _is_right(batch, done[self.seed % len(done)])
 
 
 def _is_right(batch: dict[str, Any], row: dict[str, Any]) -> None:
