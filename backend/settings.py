@@ -27,22 +27,25 @@ MEBIBYTE = 1024 * 1024
 MAX_BODY_BYTES = MEBIBYTE  # of a request's body in JSON
 MAX_BATCH_RUNS = 100_000  # of one job
 MAX_UNFINISHED_JOBS = 1000  # of one kind, waiting or running
-# What earlier releases had: such a variable is named in the log and has no effect; docs/how-to/operations.md shows it.
-REMOVED = {
-    "RIDELAB_MAX_CONNECTIONS": "the system's limit of open files counts, and the proxy's own limits",
-    "RIDELAB_MAX_CLIENT_CONNECTIONS": "PROXY_CLIENT_CONNECTIONS of the proxy",
-    "RIDELAB_MAX_BODY_BYTES": "1 MiB, as the proxy before the service has it",
-    "RIDELAB_MAX_BATCH_RUNS": "100,000; RIDELAB_MAX_BATCH_COST bounds what they cost",
-    "RIDELAB_MAX_UNFINISHED_BATCHES": "1000",
-    "RIDELAB_FRONTEND_DIR": "frontend/dist of a checkout, or the page that is installed",
-    "RIDELAB_LOG_FORMAT": "text on a terminal, else JSON",
-    "RIDELAB_MAX_STREAMS": "256 are open at once, half of them of one client",
-    "RIDELAB_MAX_CLIENT_STREAMS": "half of 256",
-    "RIDELAB_MAX_QUEUED_COST": "requests wait for their turn; RIDELAB_MAX_CLIENT_REQUESTS bounds how many",
-    "RIDELAB_MAX_WAIT": "requests wait for their turn; RIDELAB_MAX_CLIENT_REQUESTS bounds how many",
-    "RIDELAB_BODY_TIMEOUT": "a body has to come at 50 kB/s after its first 10 s",
-    "RIDELAB_HEAD_TIMEOUT": "PROXY_REQUEST_TIMEOUT of the proxy",
-}
+# What earlier releases had: the log names such a variable, and docs/how-to/operations.md what there is instead.
+REMOVED = frozenset(
+    f"RIDELAB_{name}"
+    for name in [
+        "MAX_CONNECTIONS",
+        "MAX_CLIENT_CONNECTIONS",
+        "MAX_BODY_BYTES",
+        "MAX_BATCH_RUNS",
+        "MAX_UNFINISHED_BATCHES",
+        "FRONTEND_DIR",
+        "LOG_FORMAT",
+        "MAX_STREAMS",
+        "MAX_CLIENT_STREAMS",
+        "MAX_QUEUED_COST",
+        "MAX_WAIT",
+        "BODY_TIMEOUT",
+        "HEAD_TIMEOUT",
+    ]
+)
 _PACKAGE = Path(__file__).parent
 # In the installed distribution or in a checkout.
 BUILT_PAGE, BUILT_MANUAL = (
@@ -57,76 +60,66 @@ def _default_workers() -> int:
 
 
 class Settings(BaseModel):
-    """Everything an operator may change; the variable's name is `RIDELAB_` and the field's in capitals."""
+    """Everything an operator may change; the variable's name is `RIDELAB_` and the field's in capitals.
+
+    Attributes:
+        data_dir: Where the SQLite database lives.
+        database_url: SQLAlchemy URL; without one SQLite in data_dir.
+        database_password_file: File with the database's password, so that the URL needs none.
+        workers: Warm worker processes.
+        run_timeout: One worker task may take this long [s].
+        controllers: Files and folders with controllers of one's own, separated like PATH: each file is run, as code
+            that you trust.
+        controller_timeout: One run of such a controller may take this long [s]; less than RUN_TIMEOUT.
+        max_request_cost: Greatest estimated cost of one request [s of one core].
+        max_client_requests: Requests one client may have open, waiting for their turn or handled; then 429.
+        batch_workers: Processes for batches where no Dask scheduler is named.
+        max_batch_cost: Greatest estimated cost of one batch [s of one core]; beyond it 422.
+        dask_scheduler: Address of a Dask scheduler; without one this machine's processes compute the batches.
+        dask_tls_ca_file: Certificate authority of the Dask cluster (PEM).
+        dask_tls_cert_file: This service's certificate for Dask (PEM).
+        dask_tls_key_file: Its key (PEM).
+        forwarded_allow_ips: Proxies whose X-Forwarded-For names the client: addresses, networks, or *.
+        allowed_hosts: Names the service answers to, with commas; *.example.com is all below it, * any; none is any,
+            and this machine's own names where it listens on loopback.
+        tokens_file: File with a name and a token a line: then the API answers those with a token only.
+        one_user: One person uses this service: without tokens, whoever reaches it lists links, roads and recordings
+            and takes them back.
+        log_level: Least level that is logged.
+        retention_days: Jobs and results older than this are removed [days]; none are where it is not set.
+        retention_bytes: The oldest jobs and results are removed where all take more than this [bytes].
+        spool_bytes: Answers too long for memory, in files in data_dir until they are read [bytes]; then 429 or 503.
+        series_cache_bytes: Memory for results and their time histories.
+        ecu_dir: Where the ECU's program is built and kept; without one below the system's temporary folder.
+    """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
-    data_dir: NewFolder = Field(Path("data"), description="Where the SQLite database lives.")
-    database_url: str | None = Field(None, description="SQLAlchemy URL; without one SQLite in data_dir.")
-    database_password_file: Path | None = Field(
-        None, description="File with the database's password, so that the URL needs none."
-    )
-    workers: int = Field(default_factory=_default_workers, ge=1, le=64, description="Warm worker processes.")
-    run_timeout: float = Field(90, gt=0, le=3600, description="One worker task may take this long [s].")
-    controllers: str | None = Field(
-        None,
-        description="Files and folders with controllers of one's own, separated like PATH: each file is run, as code "
-        "that you trust.",
-    )
-    controller_timeout: float = Field(
-        20, gt=0, le=3600, description="One run of such a controller may take this long [s]; less than RUN_TIMEOUT."
-    )
-    max_request_cost: float = Field(30, gt=0, description="Greatest estimated cost of one request [s of one core].")
-    max_client_requests: int = Field(
-        256, ge=1, description="Requests one client may have open, waiting for their turn or handled; then 429."
-    )
-    batch_workers: int = Field(
-        default_factory=lambda: os.cpu_count() or 1,
-        ge=1,
-        le=256,
-        description="Processes for batches where no Dask scheduler is named.",
-    )
-    max_batch_cost: float = Field(
-        100_000, gt=0, description="Greatest estimated cost of one batch [s of one core]; beyond it 422."
-    )
-    dask_scheduler: SchedulerAddress | None = Field(
-        None, description="Address of a Dask scheduler; without one this machine's processes compute the batches."
-    )
-    dask_tls_ca_file: Path | None = Field(None, description="Certificate authority of the Dask cluster (PEM).")
-    dask_tls_cert_file: Path | None = Field(None, description="This service's certificate for Dask (PEM).")
-    dask_tls_key_file: Path | None = Field(None, description="Its key (PEM).")
-    forwarded_allow_ips: Proxies = Field(
-        "", description="Proxies whose X-Forwarded-For names the client: addresses, networks, or *."
-    )
-    allowed_hosts: Hosts = Field(
-        "",
-        description="Names the service answers to, with commas; *.example.com is all below it, * any; none is any, and "
-        "this machine's own names where it listens on loopback.",
-    )
-    tokens_file: TokensFile | None = Field(
-        None, description="File with a name and a token a line: then the API answers those with a token only."
-    )
-    one_user: bool = Field(
-        False,
-        description="One person uses this service: without tokens, whoever reaches it lists links, roads and "
-        "recordings and takes them back.",
-    )
-    log_level: Literal["debug", "info", "warning", "error"] = Field("info", description="Least level that is logged.")
-    retention_days: float | None = Field(
-        None, gt=0, description="Jobs and results older than this are removed [days]; none are where it is not set."
-    )
-    retention_bytes: int | None = Field(
-        None, ge=MEBIBYTE, description="The oldest jobs and results are removed where all take more than this [bytes]."
-    )
-    spool_bytes: int = Field(
-        4096 * MEBIBYTE,
-        ge=64 * MEBIBYTE,
-        description="Answers too long for memory, in files in data_dir until they are read [bytes]; then 429 or 503.",
-    )
-    series_cache_bytes: int = Field(256 * MEBIBYTE, ge=0, description="Memory for results and their time histories.")
-    ecu_dir: NewFolder | None = Field(
-        None, description="Where the ECU's program is built and kept; without one below the system's temporary folder."
-    )
+    data_dir: NewFolder = Path("data")
+    database_url: str | None = None
+    database_password_file: Path | None = None
+    workers: int = Field(default_factory=_default_workers, ge=1, le=64)
+    run_timeout: float = Field(90, gt=0, le=3600)
+    controllers: str | None = None
+    controller_timeout: float = Field(20, gt=0, le=3600)
+    max_request_cost: float = Field(30, gt=0)
+    max_client_requests: int = Field(256, ge=1)
+    batch_workers: int = Field(default_factory=lambda: os.cpu_count() or 1, ge=1, le=256)
+    max_batch_cost: float = Field(100000, gt=0)
+    dask_scheduler: SchedulerAddress | None = None
+    dask_tls_ca_file: Path | None = None
+    dask_tls_cert_file: Path | None = None
+    dask_tls_key_file: Path | None = None
+    forwarded_allow_ips: Proxies = ""
+    allowed_hosts: Hosts = ""
+    tokens_file: TokensFile | None = None
+    one_user: bool = False
+    log_level: Literal["debug", "info", "warning", "error"] = "info"
+    retention_days: float | None = Field(None, gt=0)
+    retention_bytes: int | None = Field(None, ge=MEBIBYTE)
+    spool_bytes: int = Field(4096 * MEBIBYTE, ge=64 * MEBIBYTE)
+    series_cache_bytes: int = Field(256 * MEBIBYTE, ge=0)
+    ecu_dir: NewFolder | None = None
 
     @classmethod
     def from_environment(cls, environment: Mapping[str, str], **overrides: object) -> Self:
@@ -239,8 +232,11 @@ class Settings(BaseModel):
 
 def removed_in(environment: Mapping[str, str]) -> str | None:
     """Return the one line that names the removed settings in an environment; None where it has none."""
-    there = [f"{name} ({instead})" for name, instead in REMOVED.items() if name in environment]
-    return f"Without effect since 0.5.0, and an error in the next release: {'; '.join(there)}" if there else None
+    there = ", ".join(sorted(REMOVED & environment.keys()))
+    what = (
+        "have no effect since 0.5.0, and the next release refuses them; docs/how-to/operations.md has what is instead"
+    )
+    return f"{there} {what}" if there else None
 
 
 def _variable(field: str) -> str:

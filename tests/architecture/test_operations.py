@@ -27,7 +27,7 @@ KEPT, GONE = TEXT.split("| gone in ")
 
 def test_the_settings_are_all_there_and_no_others() -> None:
     assert list(rows("RIDELAB_", KEPT)) == list(variables())
-    assert {name: instead.replace("`", "") for name, instead in rows("RIDELAB_", GONE).items()} == REMOVED
+    assert rows("RIDELAB_", GONE).keys() == REMOVED
 
 
 def variables() -> dict[str, object]:

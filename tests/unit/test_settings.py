@@ -1,6 +1,5 @@
 """Settings that are refused, with a sentence that names the variable, and those that belong together."""
 
-import re
 import subprocess
 import sys
 from pathlib import Path
@@ -77,7 +76,7 @@ def test_a_setting_of_an_earlier_release_is_named_and_has_no_effect() -> None:
     assert Settings.from_environment(environment) == Settings(workers=2)
     said = removed_in(environment)
     assert said is not None
-    assert re.search(r"RIDELAB_BODY_TIMEOUT \(.*50 kB/s.*RIDELAB_HEAD_TIMEOUT \(", said)
+    assert said.startswith("RIDELAB_BODY_TIMEOUT, RIDELAB_HEAD_TIMEOUT have no effect")
     assert removed_in({"RIDELAB_WORKERS": "2"}) is None
 
 
