@@ -22,7 +22,6 @@ class Entry:
         description: What else there is to say.
         symbol: As in docs/reference/nomenclature.md.
         notable: Of those in LIMITS_EXCEEDED, the value [unit] from which on a warning is shown.
-        flag: Whether it is true or false.
     """
 
     key: str
@@ -31,7 +30,6 @@ class Entry:
     description: str = ""
     symbol: str = ""
     notable: float = 0.0
-    flag: bool = False
 
 
 _TABLES = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
@@ -63,6 +61,8 @@ PAPER_VIEWS = ((ROUGH_ROAD, RMS), (BUMP, PEAK))
 
 # Metrics that are 0 where a limit of the car is satisfied.
 LIMITS_EXCEEDED = ("events.travel_exceeded_mm", "events.airborne_ms")
+
+_FLAGS = ("target_reached", "bump_complete")  # the events that are true or false
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -113,7 +113,8 @@ def _metrics() -> dict[str, Metric]:
     ]
     for part, items in ((("comfort",), COMFORT), (("events",), EVENTS), ((), RUN_FIGURES)):
         metrics += [
-            Metric(path=(*part, key), label=item.label, unit=item.unit, flag=item.flag) for key, item in items.items()
+            Metric(path=(*part, key), label=item.label, unit=item.unit, flag=key in _FLAGS)
+            for key, item in items.items()
         ]
     return {metric.key: metric for metric in metrics}
 
