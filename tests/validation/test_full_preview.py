@@ -6,8 +6,9 @@ That is the bound of every preview: the regulator told of the whole road reaches
 import numpy as np
 import pytest
 
-from sim_core import STRATEGIES, FloatArray, LinearLaw, Scenario, Setup, feedforward, regulator
+from sim_core import FloatArray, LinearLaw, Scenario, feedforward, regulator
 from sim_core.control.cost import KILO, CostTerms, stage_cost
+from sim_core.simulate import prepare
 from sim_core.vehicle.half_car import FORCES, STATES, discrete
 
 STEPS, SPEED, SAMPLE_TIME = 140, 14.0, 0.01
@@ -73,28 +74,22 @@ def cost(law: LinearLaw, disturbances: FloatArray) -> float:
 
 
 def law_of(name: str, preview: str, horizon: int) -> LinearLaw:
-    """A strategy's, with the weights of TERMS."""
+    """Return a strategy's law with the weights of TERMS."""
     weights, mpc = TERMS.weights, {"preview": preview, "prediction_horizon": horizon, "control_horizon": horizon}
     stages = {"stage_weights": dict.fromkeys(("cruise", "brake", "bump"), weights)}
     stages["road_weights"] = dict.fromkeys(("rough", "bump"), weights)
-    scenario = Scenario.model_validate(
-        {"mpc": {**mpc, **stages}, "lqr": {"weights": weights, "preview": preview, "preview_horizon": horizon}}
+    run = prepare(
+        Scenario.model_validate(
+            {
+                "mpc": {**mpc, **stages},
+                "lqr": {"weights": weights, "preview": preview, "preview_horizon": horizon},
+                "speed": {"initial_speed_kmh": 3.6 * SPEED, "policy": "constant"},
+            }
+        ),
+        name,
     )
-    controller = STRATEGIES[name]().for_scenario(scenario)
-    controller.start(
-        Setup(
-            vehicle=TERMS.vehicle,
-            sample_time=SAMPLE_TIME,
-            steps=STEPS,
-            short_steps=1,
-            initial_speed=SPEED,
-            force_limit=1e6,
-            deflection_limit=TERMS.deflection_limit,
-            preview_steps=controller.preview_steps,
-            stages=("cruise", "brake", "bump"),
-        )
-    )
-    law = controller.linear_law("bump")
+    run.controller.start(run.setup())
+    law = run.controller.linear_law("bump")
     assert law is not None
     return law
 
