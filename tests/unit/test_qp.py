@@ -85,17 +85,6 @@ def test_c_answers_only_where_its_answer_is_that_of_the_qp(off: float, answers: 
         assert (Qps(other).solve(other, "daqp", inputs) is not None) == answers
 
 
-@pytest.mark.parametrize("scenario", [HARD, pytest.param(LONG, marks=pytest.mark.thorough)], ids=["hard", "long"])
-def test_what_c_solves_in_the_loop_is_what_the_controller_solves(
-    scenario: Scenario, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    in_c = simulate(scenario, "lv")
-    monkeypatch.setattr(PredictiveController, "qp", lambda self, stage: None)
-    asked = simulate(scenario, "lv")
-    assert in_c.summary() == asked.summary()
-    assert event(in_c, "qp_solves") > 20
-
-
 def test_limits_of_the_actuator_alone_need_no_qp() -> None:
     """Forces and travel far from the controller's limits, changes of force slower than it asks for."""
     result = simulate(
