@@ -111,7 +111,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
             ),
         ],
     )
-    app.state.services = services  # read by `services_of` and `parts_of`, which say its type
+    app.state.services = services  # read by `services_of` and `request_context`, which say its type
     problems.register(app)
     for router in ROUTERS:
         app.include_router(router)

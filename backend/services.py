@@ -18,7 +18,7 @@ from backend.ecu.service import Controllers
 from backend.fmu.service import Fmus
 from backend.gate import Gate
 from backend.gate.budget import Budget
-from backend.http.parts import HttpParts
+from backend.http.context import RequestContext
 from backend.http.spool import Spool
 from backend.http.tokens import Logins, Tokens
 from backend.jobs.scheduler import Scheduler
@@ -44,7 +44,7 @@ from backend.tunings.steps import TUNING, TuningSteps
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Services(HttpParts):
+class Services(RequestContext):
     """Every service, and what they work with; none runs before `start`."""
 
     store: Store

@@ -7,7 +7,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from backend.api import API, router
 from backend.http.answers import json_answer
-from backend.http.parts import parts_of
+from backend.http.context import request_context
 from backend.http.problems import RequestError
 from backend.http.tokens import COOKIE, LIFETIME, LOGIN, Caller
 
@@ -32,13 +32,13 @@ class LoginRequest(BaseModel):
 @login.get(LOGIN.removeprefix(API), operation_id="getLogin", response_model=LoginState)
 async def get_login(request: Request, caller: Caller) -> Response:
     """Whether the service wants a token."""
-    return json_answer({"required": parts_of(request).tokens is not None, "name": caller})
+    return json_answer({"required": request_context(request).tokens is not None, "name": caller})
 
 
 @login.post(LOGIN.removeprefix(API), operation_id="logIn", status_code=204)
 async def log_in(body: LoginRequest, request: Request) -> Response:
     """Keep the token in a cookie that no script can read; 401 where it is none of the service's."""
-    logins = parts_of(request).logins
+    logins = request_context(request).logins
     value = None if logins is None else logins.begin(body.token)
     if value is None:
         raise RequestError("token-required", "This is none of the service's tokens.")
@@ -50,7 +50,7 @@ async def log_in(body: LoginRequest, request: Request) -> Response:
 @login.delete(LOGIN.removeprefix(API), operation_id="logOut", status_code=204)
 async def log_out(request: Request) -> Response:
     """End the login: its cookie, and every copy of it, is worth nothing from now on."""
-    logins = parts_of(request).logins
+    logins = request_context(request).logins
     if logins is not None:
         await logins.end(request.cookies.get(COOKIE, ""))
     answer = Response(status_code=204)

@@ -22,8 +22,8 @@ from starlette.types import Scope
 from backend.api.deps import LinksService
 from backend.errors import NotFoundError, RevokedError
 from backend.http.answers import IMMUTABLE
+from backend.http.context import request_context
 from backend.http.guard import policy
-from backend.http.parts import parts_of
 from backend.http.problems import RequestError, problem
 from backend.http.tokens import Caller
 from backend.links import preview
@@ -142,7 +142,7 @@ def add_site(app: FastAPI, dist: Path, manual: Path) -> None:
     @site.get("/s/{slug}")
     async def shared(slug: str, request: Request, service: LinksService, caller: Caller) -> Response:
         _check_built(index)
-        if parts_of(request).tokens is not None and caller is None:
+        if request_context(request).tokens is not None and caller is None:
             return await page()  # which asks for a token; nothing of what is shared is in it
         try:
             of_link, status = await service.preview(slug), HTTPStatus.OK

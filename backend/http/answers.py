@@ -69,7 +69,7 @@ def takes_gzip(request: Request) -> bool:
     return "gzip" in request.headers.get("accept-encoding", "")
 
 
-def is_cached(request: Request, tag: str) -> bool:
+def not_modified(request: Request, tag: str) -> bool:
     """Whether the client has what that entity tag names (weak comparison, RFC 9110, 13.1.2)."""
     offered = {item.strip().removeprefix("W/") for item in request.headers.get("if-none-match", "").split(",")}
     return "*" in offered or tag.removeprefix("W/") in offered
@@ -101,7 +101,7 @@ def revalidated(
     digest = hashlib.sha256(body).digest()[:16]
     tag = f'W/"{base64.urlsafe_b64encode(digest).decode().rstrip("=")}"'  # weak: the body may be compressed
     all_headers["ETag"] = tag
-    if is_cached(request, tag):
+    if not_modified(request, tag):
         return Response(status_code=304, headers={name: all_headers[name] for name in ("ETag", "Cache-Control")})
     return Response(body, headers=all_headers, media_type=media_type)
 

@@ -6,7 +6,7 @@ from typing import Annotated
 from fastapi import Depends, Request
 
 from backend.errors import ForbiddenError
-from backend.http.parts import parts_of
+from backend.http.context import request_context
 from backend.http.tokens import caller
 
 
@@ -16,7 +16,7 @@ async def _owner(request: Request) -> str | None:
     Raises:
         ForbiddenError: There are no tokens, and the request may be anybody's.
     """
-    parts = parts_of(request)
+    parts = request_context(request)
     if parts.tokens is None and not parts.settings.one_user and not _is_from_this_machine(request):
         raise ForbiddenError(
             "This service has no tokens, so that it cannot tell what is yours: it lists and takes back nothing but for "

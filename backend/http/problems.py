@@ -2,6 +2,7 @@
 
 import logging
 from collections.abc import Mapping, Sequence
+from itertools import product
 from typing import Annotated, cast
 
 from fastapi import FastAPI, Request
@@ -143,7 +144,8 @@ async def _service(request: Request, error: Exception) -> Response:
     headers = {} if error.retry_after is None else {"Retry-After": str(error.retry_after)}
     # Nothing points into a body that is not there.
     errors = [place for place in error.errors if not place["pointer"] or request.method not in ("GET", "HEAD")]
-    return problem(error.kind, error.message, status=getattr(error, "status", None), errors=errors, headers=headers)
+    status = getattr(error, "status", None)
+    return problem(error.kind, error.message, status=status, errors=_as_sent(request, errors), headers=headers)
 
 
 async def _http(request: Request, error: Exception) -> Response:
@@ -167,13 +169,14 @@ async def _invalid(request: Request, error: Exception) -> Response:
     body = getattr(request.scope.get("route"), "body_field", None)
     model = body.field_info.annotation if body is not None else None
     errors = [to_field_error(item, model) for item in error.errors()[:MOST_ERRORS]]
-    return problem("invalid-request", errors=errors)
+    return problem("invalid-request", errors=_as_sent(request, errors))
 
 
-async def _refused(_: Request, error: Exception) -> Response:
+async def _refused(request: Request, error: Exception) -> Response:
     error = cast(RidelabError, error)
     path = pointer(["scenario", *error.field.split(".")]) if error.field else ""
-    return problem("refused", error.message, errors=[{"pointer": path, "message": error.message}])
+    errors = _as_sent(request, [{"pointer": path, "message": error.message}])
+    return problem("refused", error.message, errors=errors)
 
 
 async def _ecu_unavailable(_: Request, error: Exception) -> Response:
@@ -188,7 +191,20 @@ async def _store(_: Request, error: Exception) -> Response:
     return problem("store-unavailable", headers={"Retry-After": "5"})
 
 
-async def _too_expensive(_: Request, error: Exception) -> Response:
+async def _too_expensive(request: Request, error: Exception) -> Response:
     error = cast(TooExpensiveError, error)
     errors = [{"pointer": pointer(["scenario", *field.split(".")]), "message": error.message} for field in error.fields]
-    return problem("too-expensive", f"{error.message}.", errors=errors)
+    return problem("too-expensive", f"{error.message}.", errors=_as_sent(request, errors))
+
+
+def _as_sent(request: Request, errors: Sequence[Mapping[str, str]]) -> list[dict[str, str]]:
+    """Return the errors with pointers into the body as it was sent: a scenario's fields may be dotted there."""
+    sent = getattr(request.state, "sent", None)
+    scenario = sent.get("scenario") if isinstance(sent, dict) else None
+    dotted = [name for name in scenario if "." in name] if isinstance(scenario, dict) else []
+    placed = [dict(error) for error in errors]
+    for error, name in product(placed, dotted):
+        nested = pointer(["scenario", *name.split(".")])
+        if error["pointer"] == nested or error["pointer"].startswith(f"{nested}/"):
+            error["pointer"] = pointer(["scenario", name]) + error["pointer"].removeprefix(nested)
+    return placed

@@ -19,7 +19,7 @@ from backend.gate.turns import Ticket
 from backend.http import strict_json
 from backend.http.answers import cancel_on_disconnect
 from backend.http.client_key import client_key
-from backend.http.parts import parts_of
+from backend.http.context import request_context
 from backend.http.problems import MOST_ERRORS, RequestError
 from backend.http.tokens import CALLER
 from backend.http.validation import with_nested_scenario
@@ -53,7 +53,7 @@ async def _read_body(request: Request, held: ExitStack, longest: int) -> bytes:
         RequestError: It is too long, announced or in pieces, or comes too slowly.
         TemporaryError: Bulky ones take all the memory there is for them.
     """
-    memory, client = parts_of(request).gate.memory, client_of(request)
+    memory, client = request_context(request).gate.memory, client_of(request)
     pieces, counted = bytearray(), 0
 
     def expect(length: int) -> None:
@@ -115,13 +115,14 @@ class StrictRoute(APIRoute):
 
         async def in_turn(request: Request, ticket: Ticket, body: bytes) -> Response:
             await ticket.turn()
-            await parts_of(request).own_files.current()
+            await request_context(request).own_files.current()
             if body and not self.FILES:
-                request._json = with_nested_scenario(await _parse(body, self.MAX_VALUES))
+                request.state.sent = await _parse(body, self.MAX_VALUES)
+                request._json = with_nested_scenario(request.state.sent)
             return await handler(request)
 
         async def strict(request: Request) -> Response:
-            gate = parts_of(request).gate
+            gate = request_context(request).gate
             turns = gate.computing_turns if self.COMPUTES else gate.reading_turns
             with turns.ticket(client_of(request)) as ticket, ExitStack() as held:
                 if not all(map(is_plain, request.path_params.values())):

@@ -212,7 +212,7 @@ def test_integers_may_be_written_as_other_programs_do_and_fields_nested_or_dotte
     [
         ({"road": {"seed": 2.5}}, "/scenario/road/seed", "valid integer"),
         ({"road": {"seed": 1e300}}, "/scenario/road/seed", "valid integer"),
-        ({"road.bump.hight": 0.1}, "/scenario/road/bump/hight", "perhaps height"),
+        ({"road.bump.hight": 0.1}, "/scenario/road.bump.hight", "perhaps height"),
         ({"road.seed": 1, "road": {"seed": 1}}, "/scenario/road.seed", "twice, nested and dotted"),
         ({"road.seed.x": 1, "road": {"seed": 1}}, "/scenario/road.seed.x", "below a field"),
     ],

@@ -11,7 +11,7 @@ from backend.settings import Settings
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class HttpParts:
+class RequestContext:
     """Limits, and who may ask; `tokens` and `logins` are None where the service has none."""
 
     settings: Settings
@@ -21,7 +21,7 @@ class HttpParts:
     own_files: Watch
 
 
-def parts_of(request: HTTPConnection) -> HttpParts:
+def request_context(request: HTTPConnection) -> RequestContext:
     """Those of the application that was asked."""
-    parts: HttpParts = request.app.state.services
+    parts: RequestContext = request.app.state.services
     return parts
