@@ -38,40 +38,38 @@ class Trajectory:
     held_commands: int | None = None
 
 
+@dataclass(frozen=True, slots=True, eq=False)
 class ClosedLoop:
     """One run's loop; limits of forces as `limit_force` has them."""
 
-    def __init__(
-        self, controller: Controller, car: DrivenCar, inputs: RunInputs, forecast: Forecast, force_limits: FloatArray
-    ) -> None:
-        self._controller = controller
-        self._car = car
-        self._inputs = inputs
-        self._forecast = forecast
-        self._force_limits = force_limits
+    controller: Controller
+    car: DrivenCar
+    inputs: RunInputs
+    forecast: Forecast
+    force_limits: FloatArray
 
     def run(self, segments: Sequence[Segment]) -> Trajectory:
         """Drive the driving stages from rest, without a command before the first step."""
-        n = self._car.size
+        n = self.car.size
         loop = np.empty((segments[-1].last + 1, n + FORCES))  # [car; previous command] at every control instant
         loop[0] = 0
         requested = np.full((segments[-1].last, FORCES), np.nan)
         limited = 0
         follow: FollowLaw | None = None
-        clips = type(self._controller).force is Controller.force
+        clips = type(self.controller).force is Controller.force
         for segment in segments:
-            law, k = self._controller.linear_law(segment.stage), segment.first
+            law, k = self.controller.linear_law(segment.stage), segment.first
             if law is None:
                 limited += sum(self._step(k, loop, requested) for k in range(segment.first, segment.last))
                 continue
             if not isinstance(law, LinearLaw):
-                raise RefusedError(f"{self._controller.label}: linear_law gives a LinearLaw or None")
-            if law.design.horizon not in (0, self._forecast.disturbances.shape[2]):
+                raise RefusedError(f"{self.controller.label}: linear_law gives a LinearLaw or None")
+            if law.design.horizon not in (0, self.forecast.disturbances.shape[2]):
                 raise RefusedError("A linear law has three columns for each control step that is previewed")
-            follow = follow or self._car.follow_law(
-                control_law_context(self._forecast, self._force_limits, clips=clips), loop
+            follow = follow or self.car.follow_law(
+                control_law_context(self.forecast, self.force_limits, clips=clips), loop
             )
-            qp = self._controller.qp(segment.stage)
+            qp = self.controller.qp(segment.stage)
             while k < segment.last:
                 k, shaped = follow(law.design, qp, k, segment.last)
                 limited += shaped
@@ -82,14 +80,14 @@ class ClosedLoop:
 
     def _step(self, k: int, loop: FloatArray, requested: FloatArray) -> bool:
         """Drive one control step by the controller; whether a limit of forces or actuators shaped its command."""
-        n = self._car.size
+        n = self.car.size
         state, previous = loop[k, :n], loop[k, n:]
-        seen = Seen(self._inputs, self._car, k, k, read_only(state), read_only(previous))
-        counted = self._controller.report.limited_steps
-        requested[k] = checked_force(self._controller, self._controller.force(seen), seen)
-        limited = limit_force(self._force_limits, requested[k], previous, loop[k + 1, n:])
-        self._car.advance(k, loop)
-        return limited or self._controller.report.limited_steps > counted
+        seen = Seen(self.inputs, self.car, k, k, read_only(state), read_only(previous))
+        counted = self.controller.report.limited_steps
+        requested[k] = checked_force(self.controller, self.controller.force(seen), seen)
+        limited = limit_force(self.force_limits, requested[k], previous, loop[k + 1, n:])
+        self.car.advance(k, loop)
+        return limited or self.controller.report.limited_steps > counted
 
 
 def control_law_context(forecast: Forecast, force_limits: FloatArray, *, clips: bool) -> ControlLawContext:

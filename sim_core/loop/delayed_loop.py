@@ -4,6 +4,8 @@ The controller is asked at the control instants; what it answers takes effect at
 never. The actuators hold the newest command that has arrived, and their limits hold in every short step.
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from sim_core.arrays import FloatArray
@@ -15,21 +17,19 @@ from sim_core.loop.closed_loop import Trajectory, checked_force, read_only
 from sim_core.vehicle.half_car import FORCES
 
 
+@dataclass(frozen=True, slots=True, eq=False)
 class DelayedLoop:
     """One run's loop; limits of forces as `limit_force` has them, of the change in a short step."""
 
-    def __init__(
-        self, controller: Controller, car: DrivenCar, inputs: RunInputs, setup: Setup, force_limits: FloatArray
-    ) -> None:
-        self._controller = controller
-        self._car = car
-        self._inputs = inputs
-        self._setup = setup
-        self._force_limits = force_limits
+    controller: Controller
+    car: DrivenCar
+    inputs: RunInputs
+    setup: Setup
+    force_limits: FloatArray
 
     def run(self) -> Trajectory:
         """Drive from rest, without a command before the first arrives; a row of the trajectory is a short step."""
-        car, steps, n = self._car, self._setup.steps, self._setup.short_steps
+        car, steps, n = self.car, self.setup.steps, self.setup.short_steps
         loop = np.zeros((steps * n + 1, car.size + FORCES))  # [car; previous command] before every short step
         arrivals = self._arrivals()
         newest = [-1] * (steps * n)  # the command that arrives at a short step, the newest of several
@@ -38,12 +38,12 @@ class DelayedLoop:
         held, present, limited = -1, np.zeros(FORCES), 0  # -1: no command yet
         settled, bound = True, False  # whether the actuators change no more, and whether their limits hold them back
         for k in range(steps):
-            counted = self._controller.report.limited_steps
-            seen = Seen(self._inputs, car, k, k * n, read_only(loop[k * n, : car.size]), read_only(present))
-            force = self._controller.force(seen)
-            shaped = self._controller.report.limited_steps > counted
+            counted = self.controller.report.limited_steps
+            seen = Seen(self.inputs, car, k, k * n, read_only(loop[k * n, : car.size]), read_only(present))
+            force = self.controller.force(seen)
+            shaped = self.controller.report.limited_steps > counted
             if force is not None:
-                requested[k] = checked_force(self._controller, force, seen)
+                requested[k] = checked_force(self.controller, force, seen)
                 if arrivals[k] < steps * n:
                     newest[arrivals[k]] = k
             for i in range(k * n, k * n + n):
@@ -54,7 +54,7 @@ class DelayedLoop:
                 if settled:
                     command[:] = present
                 else:
-                    bound = limit_force(self._force_limits, requested[held], present, command)
+                    bound = limit_force(self.force_limits, requested[held], present, command)
                     settled, present = np.array_equal(command, present), command
                 shaped |= bound
                 car.advance(i, loop)
@@ -68,10 +68,10 @@ class DelayedLoop:
         Raises:
             RidelabError: They are no such numbers.
         """
-        steps, n = self._setup.steps, self._setup.short_steps
-        arrivals = np.asarray(self._controller.arrivals(self._setup))
+        steps, n = self.setup.steps, self.setup.short_steps
+        arrivals = np.asarray(self.controller.arrivals(self.setup))
         if arrivals.shape != (steps,) or arrivals.dtype.kind not in "iu" or (arrivals < np.arange(steps) * n).any():
             message = "arrivals gives one whole number for each control step, none before its own step"
-            raise RefusedError(f"{self._controller.label}: {message}")
+            raise RefusedError(f"{self.controller.label}: {message}")
         short_steps: list[int] = arrivals.tolist()
         return short_steps

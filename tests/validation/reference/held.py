@@ -126,7 +126,7 @@ def _ecu_commands(scenario: Scenario) -> tuple[Array, float]:
 
     def caught_run(self: DelayedLoop) -> Any:
         trajectory = drive_loop(self)
-        caught.append((trajectory.loop[1:, -2:], self._setup.short_step))
+        caught.append((trajectory.loop[1:, -2:], self.setup.short_step))
         return trajectory
 
     with patch.object(DelayedLoop, "run", caught_run):
