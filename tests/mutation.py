@@ -13,7 +13,7 @@ import shutil
 import subprocess
 import sys
 from collections import Counter, defaultdict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import _lru_cache_wrapper, partial
 from pathlib import Path
@@ -45,6 +45,7 @@ NO_CODE = {
     ".c": r'/\*(?:.|\n)*?\*/|"(?:\\.|[^"\\\n])*"|^#[^\n]*',
 }
 Place = tuple[str, int, int, str]  # file, first character, end, and what takes their place
+_caches = list[Callable[[], None]]()
 _coverage, _seconds = coverage.Coverage(data_file=None, include=["*/sim_core/*"]), defaultdict[str, float](float)
 
 
@@ -171,15 +172,20 @@ def pytest_configure() -> None:
     _coverage.start()
 
 
+@pytest.hookimpl(tryfirst=True)  # conftest.py hides from `gc` what there is now
+def pytest_collection_finish() -> None:
+    """Find the core's caches."""
+    found = (thing for thing in gc.get_objects() if isinstance(thing, _lru_cache_wrapper))
+    _caches.extend(each.cache_clear for each in found if str(each.__module__).startswith("sim_core."))
+    if "sim_core.caching" in sys.modules:
+        _caches.append(sys.modules["sim_core.caching"].SHARED.clear)
+
+
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
     """Measure a test function, all its parameters as one, with empty caches: no other one has done its work."""
-    from sim_core.caching import SHARED  # not before the coverage has begun
-
-    SHARED.clear()
-    for thing in gc.get_objects():
-        if isinstance(thing, _lru_cache_wrapper) and str(thing.__module__).startswith("sim_core."):
-            thing.cache_clear()
+    for clear in _caches:
+        clear()
     test, begin = item.nodeid.partition("[")[0], process_time()
     _coverage.switch_context(test)
     yield
