@@ -45,7 +45,7 @@ class Chunk:
     controllers: tuple[ControllerSource, ...] = ()
 
 
-Trouble = Literal["lost", "busy", "timeout", "misfit", "bug"]
+ChunkError = Literal["lost", "busy", "timeout", "version_mismatch", "bug"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,12 +54,12 @@ class ChunkOutcome:
 
     Attributes:
         computed: Its results, perhaps of a part only; None where it got none.
-        trouble: Why: its process died, and the one that tried again (`lost`); no process came up (`busy`); it took
-            too long (`timeout`); the worker cannot serve, and `detail` says why (`misfit`); an unforeseen exception
-            (`bug`).
+        error: Why: its process died, and the one that tried again (`lost`); no process came up (`busy`); it took
+            too long (`timeout`); the worker cannot serve, and `detail` says why (`version_mismatch`); an unforeseen
+            exception (`bug`).
         detail: More, for the log.
     """
 
     computed: list[Outcome] | None = None
-    trouble: Trouble | None = None
+    error: ChunkError | None = None
     detail: str = ""

@@ -74,7 +74,7 @@ class DaskExecutor:
                     future.release()
         except ExecutorLostError as error:
             if self._is_connected:  # only the worker is lost: perhaps by what it was sent
-                return ChunkOutcome(trouble="lost", detail=str(error))
+                return ChunkOutcome(error="lost", detail=str(error))
             raise
 
     async def stop(self, group: str) -> None:
@@ -118,10 +118,12 @@ async def _on_worker(chunk: Chunk, warm_up: str) -> ChunkOutcome:
     """On a Dask worker, in its event loop: pass the chunk to a process."""
     worker = get_worker()
     if chunk.core_version != CORE_VERSION:
-        return ChunkOutcome(trouble="misfit", detail=f"the Dask worker at {worker.address} has core {CORE_VERSION}")
+        return ChunkOutcome(
+            error="version_mismatch", detail=f"the Dask worker at {worker.address} has core {CORE_VERSION}"
+        )
     if multiprocessing.current_process().daemon:
         detail = f"the Dask worker at {worker.address} may have no children: --no-nanny, or distributed.worker.daemon"
-        return ChunkOutcome(trouble="misfit", detail=f"{detail}: false")
+        return ChunkOutcome(error="version_mismatch", detail=f"{detail}: false")
     executor = _executors.get(worker.address)
     if executor is None:
         workers = Workers(worker.state.nthreads, timeout=chunk.timeout, warm_up=warm_up, nice=BATCH_NICE)

@@ -63,11 +63,11 @@ def _outcome(task: "asyncio.Task[Any]") -> ChunkOutcome:
     try:
         return ChunkOutcome(computed=task.result())
     except WorkerTimeoutError:
-        return ChunkOutcome(trouble="timeout")
+        return ChunkOutcome(error="timeout")
     except WorkerLostError:
-        return ChunkOutcome(trouble="lost")
+        return ChunkOutcome(error="lost")
     except WorkersBusyError:
-        return ChunkOutcome(trouble="busy")
+        return ChunkOutcome(error="busy")
     except Exception as error:
         logger.exception("A chunk could not be computed")
-        return ChunkOutcome(trouble="bug", detail=type(error).__name__)
+        return ChunkOutcome(error="bug", detail=type(error).__name__)

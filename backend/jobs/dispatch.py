@@ -9,7 +9,7 @@ import orjson
 from sqlalchemy.exc import DataError, IntegrityError, ProgrammingError, SQLAlchemyError
 
 from backend import custom_controllers, metrics
-from backend.compute.chunk_messages import Chunk, ChunkOutcome, Trouble
+from backend.compute.chunk_messages import Chunk, ChunkError, ChunkOutcome
 from backend.compute.executor import Executor, ExecutorLostError
 from backend.compute.workers import Workers
 from backend.errors import CHEAPER_RUN, ServiceError, WorkerLostError
@@ -27,7 +27,7 @@ CHUNK_BUDGET = 2.0  # a chunk is cut short after this, where its runs take longe
 KEY_COST = 0.0003  # of one run [s of one core]
 PAUSE_AFTER_FAILURE = 2.0  # after the database or the executor failed [s]
 PERMANENT = (IntegrityError, DataError, ProgrammingError)  # what the database will never take
-REASONS: dict[Trouble, str] = {
+REASONS: dict[ChunkError, str] = {
     "lost": "The computation ended unexpectedly, twice",
     "timeout": f"The computation took longer than the limit and was ended; {CHEAPER_RUN}",
     "bug": "The computation failed with an unforeseen error; it is in the service's log",
@@ -106,7 +106,7 @@ class Dispatch:
                 running.record_time(len(runs), KEY_COST * len(runs))
             return (left, await self._roads(job, left)) if left else None
         except WorkerLostError:
-            await self._retry(running, runs, ChunkOutcome(trouble="lost"))
+            await self._retry(running, runs, ChunkOutcome(error="lost"))
         except (SQLAlchemyError, OSError, ServiceError) as error:
             logger.warning("A chunk could not be handed out: %s", type(error).__name__)
             running.take_back(runs)
@@ -139,12 +139,12 @@ class Dispatch:
 
     async def _retry(self, running: RunningJob, runs: list[JobRun], outcome: ChunkOutcome) -> bool:
         """Halve a chunk that failed until the run that makes it fail is alone; False for that run."""
-        logger.warning("A chunk of %d runs could not be computed: %s %s", len(runs), outcome.trouble, outcome.detail)
-        if outcome.trouble not in REASONS:  # not the chunk's fault
+        logger.warning("A chunk of %d runs could not be computed: %s %s", len(runs), outcome.error, outcome.detail)
+        if outcome.error not in REASONS:  # not the chunk's fault
             running.take_back(runs)
             await asyncio.sleep(PAUSE_AFTER_FAILURE)
             return True
-        return running.halve(runs) or (outcome.trouble == "lost" and running.try_again(runs))
+        return running.halve(runs) or (outcome.error == "lost" and running.try_again(runs))
 
     async def _commit(self, running: RunningJob, computed: Sequence[Outcome], failures: Mapping[int, str]) -> None:
         """Store a chunk's results, and wait for the database as long as it is away."""
@@ -182,10 +182,10 @@ async def _outcome(executor: Executor, chunk: Chunk) -> ChunkOutcome:
     try:
         return await executor.compute(chunk)
     except ExecutorLostError as error:
-        return ChunkOutcome(trouble="busy", detail=str(error))
+        return ChunkOutcome(error="busy", detail=str(error))
     except Exception:  # a bug of ours: this chunk's run fails and says so, the others go on
         logger.exception("A chunk could not be sent")
-        return ChunkOutcome(trouble="bug")
+        return ChunkOutcome(error="bug")
 
 
 def _split(
@@ -202,7 +202,7 @@ def _split(
 
 
 def _reason(outcome: ChunkOutcome) -> str:
-    return REASONS[outcome.trouble or "bug"]
+    return REASONS[outcome.error or "bug"]
 
 
 def _keep(tasks: set[asyncio.Task[None]], work: Coroutine[Any, Any, None]) -> None:

@@ -207,7 +207,7 @@ def test_a_run_that_cannot_be_computed_fails_alone(tmp_path: Path, trouble: Any,
             return answered(chunk)
         if raises:
             raise AttributeError("a bug")
-        return ChunkOutcome(trouble=trouble)
+        return ChunkOutcome(error=trouble)
 
     rows = drive(tmp_path, poisoned)
     assert [row.position for row in rows if row.status == "failed"] == [17]
@@ -218,13 +218,13 @@ def test_a_run_that_cannot_be_computed_fails_alone(tmp_path: Path, trouble: Any,
 
 
 def test_what_is_not_a_chunks_fault_is_tried_until_it_works(tmp_path: Path) -> None:
-    tries = {"misfit": 0, "busy": 0}
+    tries = {"version_mismatch": 0, "busy": 0}
 
     def reluctant(chunk: Chunk) -> ChunkOutcome:
-        for trouble in ("misfit", "busy"):
+        for trouble in ("version_mismatch", "busy"):
             if tries[trouble] < 5:
                 tries[trouble] += 1
-                return ChunkOutcome(trouble=trouble)
+                return ChunkOutcome(error=trouble)
         return answered(chunk)
 
     assert {row.status for row in drive(tmp_path, reluctant)} == {"ok"}
@@ -358,7 +358,7 @@ def test_a_service_that_drives_no_more_tells_no_number_of_batches(tmp_path: Path
         return REGISTRY.get_sample_value("ridelab_batches", {"state": "running"})
 
     def once_it_is_counted(chunk: Chunk) -> ChunkOutcome:
-        return answered(chunk) if running() == 1 else ChunkOutcome(trouble="busy")
+        return answered(chunk) if running() == 1 else ChunkOutcome(error="busy")
 
     drive(tmp_path, once_it_is_counted)
     assert running() is None, "its last number would stay beside that of the service which drives now"
