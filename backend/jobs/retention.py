@@ -11,6 +11,7 @@ from backend.jobs.leadership import LeadershipLostError
 from backend.metrics import REMOVED, STORED_BYTES
 from backend.settings import Settings
 from backend.store import Store
+from backend.store.retention import REMOVABLE
 
 logger = logging.getLogger(__name__)
 
@@ -90,24 +91,15 @@ class Retention:
             if before is None or before > now - YOUNGEST:
                 logger.warning("The database has %d bytes, and nothing more of it may be removed", size)
                 break
-            removed = await self._remove_before(before + timedelta(microseconds=1))
-            size = await self._store.read(self._store.retention.size_without, size, removed)
+            await self._remove_before(before + timedelta(microseconds=1))
+            size = await self._store.read(self._store.retention.size)
         STORED_BYTES.set(size)
 
-    async def _remove_before(self, before: datetime) -> int:
-        """Remove jobs first: after that nothing needs their results or their roads; returns their size [bytes]."""
-        size = 0
-        for what, remove in (
-            ("jobs", self._store.retention.remove_jobs),
-            ("results", self._store.retention.remove_results),
-            ("roads", self._store.retention.remove_roads),
-            ("recordings", self._store.retention.remove_recordings),
-        ):
-            while (removed := await self._write(remove, before)).rows:
-                REMOVED.labels(what).inc(removed.rows)
-                size += removed.size
+    async def _remove_before(self, before: datetime) -> None:
+        for what in REMOVABLE:
+            while removed := await self._write(self._store.retention.remove, what, before):
+                REMOVED.labels(what).inc(removed)
                 await self._purge()
-        return size
 
     async def _purge(self) -> None:
         while await self._write(self._store.jobs.purge):

@@ -195,7 +195,7 @@ def expire(store: Store, run_id: str) -> None:
     with store.writing() as connection:
         old = datetime.now(UTC) - timedelta(days=40)
         connection.execute(update(results).where(results.c.key.in_(keys(store, run_id))).values(created_at=old))
-    store.retention.remove_results(datetime.now(UTC) - timedelta(days=30))
+    store.retention.remove("results", datetime.now(UTC) - timedelta(days=30))
 
 
 def test_a_run_that_expires_while_it_is_shared_is_kept_all_the_same(

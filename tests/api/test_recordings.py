@@ -137,7 +137,7 @@ def test_one_that_nothing_shows_is_removed_when_it_is_old(service: Service) -> N
         connection.execute(update(recordings).values(created_at=long_ago))
         connection.execute(update(results).where(results.c.strategy == MISSING).values(created_at=long_ago))
     held = {row.recording_id for row in _rows(store)}
-    store.retention.remove_recordings(store.now())
+    store.retention.remove("recordings", store.now())
     assert service.get(f"/api/v1/recordings/{alone}").status_code == 404
     assert all(service.get(f"/api/v1/recordings/{each}").status_code == 200 for each in held)
 
