@@ -1,20 +1,31 @@
-"""Power cuts of recorded work, and what a store says of what is left."""
+"""Power cuts of a store's recorded work, by seed: `python -m tests.faults.power.cuts URL SEED PIECES` does the work.
 
+After each transaction its process notes what the database then has: that is acknowledged.
+"""
+
+import hashlib
+import os
 import subprocess
 import sys
 from collections import Counter
+from collections.abc import Iterator
 from contextlib import closing
 from dataclasses import dataclass, field
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
+from sqlalchemy import event, select
 from sqlalchemy.exc import SQLAlchemyError
 
+from backend import digest
 from backend.db.sqlite import UnusableDatabaseError
-from backend.store import Store
-from tests.faults.power.disk import NOTE, Disk, Record, read, recording
-from tests.faults.power.work import content
+from backend.db.tables import metadata
+from backend.job_run import JobRun
+from backend.outcome import Outcome
+from backend.store import Store, StoredJob, StoredLink, StoredRun
+from sim_core.scenario.measured import MeasuredRoad
+from tests.faults.power.disk import NOTE, Disk, Record, note, read, recording
 
 FILE = "ridelab.sqlite"
 
@@ -27,13 +38,44 @@ class Cuts:
     broken: list[str] = field(default_factory=list)
 
 
-def record(folder: Path, *, seed: int, pieces: int, wal: bool) -> list[Record]:
-    """Do mixed work in a process of its own; what it wrote, and its notes."""
+def content(store: Store) -> str:
+    """A digest of every row."""
+    queries = [select(table).order_by(*table.primary_key) for table in metadata.sorted_tables]
+    with store.reading() as connection:
+        found = [connection.execute(query).all() for query in queries]
+    return hashlib.sha256(repr(found).encode()).hexdigest()
+
+
+def work(store: Store, rng: np.random.Generator) -> Iterator[None]:
+    """One piece, transaction by transaction: a run and a link, a road, or a batch of which some runs have ended."""
+    result = Outcome(key=rng.bytes(16).hex(), strategy="lv", status="ok", json=b"{}", compute_ms=5.0)
+    what = rng.integers(4)
+    if what == 0:
+        store.roads.save(MeasuredRoad.of(rng.normal(0, 0.01, int(rng.integers(100, 4000)))))
+    elif what == 1:
+        run = StoredRun(id=digest.random_id(), core_version="1", schema_version=1, scenario={}, results=(result,))
+        store.runs.save(run)
+        yield
+        link = StoredLink(slug=digest.random_id(), kind="run", target=run.id, view={})
+        store.links.save(link, {result.key: rng.bytes(int(rng.integers(100, 20_000)))})
+    else:
+        job = StoredJob(kind="sweep", request={"scenario": {}}, estimated_cost=1.0, total=60, request_hash="h")
+        store.jobs.create(job, [JobRun(at, "{}", "lv", result.key) for at in range(60)])
+        yield
+        if what == 2:
+            store.job_runs.save(job.id, [result], "1", dict.fromkeys(range(5), "lost"))
+        else:
+            store.jobs.cancel(job.id)
+    yield
+
+
+def record(folder: Path, *, seed: int, pieces: int, mode: str) -> list[Record]:
+    """Work in a process of its own, with a journal mode or (`off`) with nothing synced: what it wrote and noted."""
     log, data = folder / f"log-{seed}", folder / f"data-{seed}"
     data.mkdir()
-    environment = recording(log, data) | ({"RECORD_WAL": "1"} if wal else {})
     arguments = [f"sqlite:///{data / FILE}", str(seed), str(pieces)]
-    subprocess.run([sys.executable, "-m", "tests.faults.power.work", *arguments], env=environment, check=True)
+    environment = recording(log, data) | {"RECORD_MODE": mode}
+    subprocess.run([sys.executable, "-m", "tests.faults.power.cuts", *arguments], env=environment, check=True)
     records = list(read(log))
     log.unlink()
     return records
@@ -73,3 +115,21 @@ def _fault(folder: Path, allowed: list[str]) -> str | None:
             return None if content(store) in allowed else "what was acknowledged is not there"
         except (SQLAlchemyError, UnusableDatabaseError) as error:
             return f"{type(error).__name__}: {error}"
+
+
+def main() -> None:
+    """Do the work that the module's documentation says."""
+    url, seed, pieces = sys.argv[1:]
+    mode, rng = os.environ["RECORD_MODE"], np.random.default_rng(int(seed))
+    pragma = "synchronous=OFF" if mode == "off" else f"journal_mode={mode}"
+    with Path(os.environ["RECORD_LOG"]).open("ab", buffering=0) as log, closing(Store(url)) as store:
+        event.listen(store.engine, "connect", lambda connection, _: connection.execute(f"PRAGMA {pragma}").close())
+        store.migrate()
+        note(log, content(store))
+        for _ in range(int(pieces)):
+            for _ in work(store, rng):
+                note(log, content(store))
+
+
+if __name__ == "__main__":
+    main()
