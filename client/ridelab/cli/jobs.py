@@ -19,9 +19,7 @@ Timeout = Annotated[float | None, options.option("SECONDS", "Wait so long at mos
 
 def list_jobs(
     services: Services,
-    state: Annotated[
-        str | None, options.option("STATE", "planning, queued, running, done, cancelled or failed only.")
-    ] = None,
+    state: Annotated[str | None, options.option("STATE", _STATES)] = None,
     label: Annotated[str | None, options.option("TEXT", "Of this label only.")] = None,
     limit: Annotated[int, typer.Option(metavar="N", min=1, help="The newest N.")] = 20,
     as_json: options.AsJson = False,
