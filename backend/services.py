@@ -71,7 +71,7 @@ class Services(RequestContext):
     async def start(self) -> None:
         """Spawn the workers, and lead jobs where no other service does; batch workers start with their first task."""
         self.workers.start()
-        await self.own_files.current()  # jobs that go on may drive them
+        await self.own_files.refresh_if_changed()  # jobs that go on may drive them
         self.scheduler.start()
 
     async def close(self) -> None:

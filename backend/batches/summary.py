@@ -23,7 +23,7 @@ from backend.batches.summary_models import (
     StrategySummary,
 )
 from backend.cost.affordable import simulate
-from backend.custom_controllers import isolated
+from backend.custom_controllers import run_in_sandbox_process
 from backend.json_types import JsonObject, Summary
 from backend.scenario_at import NO_ROADS, scenario_at
 from sim_core import FloatArray, RidelabError, Scenario
@@ -237,7 +237,7 @@ def _effect(x: FloatArray, y: FloatArray) -> tuple[float, float]:
 
 def _dampings(scenarios: Sequence[Scenario], name: str) -> Sequence[float | None]:
     try:
-        return isolated(name, _each_damping, scenarios, name)
+        return run_in_sandbox_process(name, _each_damping, scenarios, name)
     except ControllerFileError:
         return [None] * len(scenarios)
 

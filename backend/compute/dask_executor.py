@@ -128,7 +128,7 @@ async def _on_worker(chunk: Chunk, warm_up: str) -> ChunkOutcome:
     if executor is None:
         workers = Workers(worker.state.nthreads, timeout=chunk.timeout, warm_up=warm_up, nice=BATCH_NICE)
         executor = _executors[worker.address] = LocalExecutor(workers)
-    custom_controllers.adopt(chunk.controllers)
+    custom_controllers.set_sources(chunk.controllers)
     return await executor.compute(chunk)
 
 

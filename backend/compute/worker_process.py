@@ -162,7 +162,7 @@ def _answer(task: bytes) -> bytes:
     value, error = None, None
     try:
         function, args, controllers = pickle.loads(task)  # noqa: S301 - the service's
-        custom_controllers.adopt(controllers)
+        custom_controllers.set_sources(controllers)
         value = function(*args)
     except Exception as failure:  # noqa: BLE001 - the service raises it
         error = ExceptionWithTraceback(failure, failure.__traceback__)

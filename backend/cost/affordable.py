@@ -2,7 +2,7 @@
 
 from backend.compute.memory import trim_memory
 from backend.cost.estimate import check_affordable, references
-from backend.custom_controllers import isolated
+from backend.custom_controllers import run_in_sandbox_process
 from sim_core import Scenario, StrategyResult
 from sim_core.caching import SHARED
 from sim_core.errors import TooExpensiveError
@@ -13,7 +13,7 @@ LARGE = 100e6  # a run's arrays, before which everything that can be spared make
 
 
 def simulate(scenario: Scenario, name: str) -> StrategyResult:
-    """Drive one strategy, one of somebody's own in a process of its own; or take a recording that the scenario has.
+    """Drive one strategy, a custom controller in a process of its own; or take a recording that the scenario has.
 
     Raises:
         TooExpensiveError: It does more than one run may.
@@ -23,7 +23,7 @@ def simulate(scenario: Scenario, name: str) -> StrategyResult:
         from sim_core.recorded.result import recorded_result  # takes scipy, which few runs need
 
         return recorded_result(scenario, scenario.recording(recording), _reference)
-    return isolated(name, _simulate, scenario, name)
+    return run_in_sandbox_process(name, drive, scenario, name)
 
 
 def _reference(scenario: Scenario, name: str) -> StrategyResult:
@@ -37,7 +37,8 @@ def _reference(scenario: Scenario, name: str) -> StrategyResult:
     return simulate(scenario, name)
 
 
-def _simulate(scenario: Scenario, name: str) -> StrategyResult:
+def drive(scenario: Scenario, name: str) -> StrategyResult:
+    """Drive one strategy in this process; raises what `simulate` raises."""
     if check_affordable(scenario, name) > LARGE:
         make_room()
     return simulate_core(scenario, name)

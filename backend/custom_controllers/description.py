@@ -1,4 +1,4 @@
-"""What the service knows of a controller of somebody's own, and the class that stands for it where it is not driven."""
+"""What the service knows of a custom controller, and the class that stands for it where it is not driven."""
 
 import inspect
 from collections.abc import Mapping
@@ -102,7 +102,7 @@ def _schema(controller: type[Controller], name: str, option: Option) -> JsonObje
     return schema
 
 
-def stand_in(description: Description) -> type[Controller]:
+def proxy_class(description: Description) -> type[Controller]:
     """A class with the same fields, which cannot be driven."""
     base = _BASES[description.base]
     members = {

@@ -1,9 +1,8 @@
-"""Looks for controllers of one's own at the time of need, beside the event loop."""
+"""Looks for custom controllers at the time of need, beside the event loop."""
 
 import asyncio
-from collections.abc import Callable
 
-from backend.custom_controllers.registry import adopt, close, controller_sources, refresh, retry_due, stale, try_again
+from backend.custom_controllers.registry import close, controller_sources, due, refresh, set_sources
 
 WAIT = 10.0  # a request waits so long for files that have changed; one that never ends holds nobody up for longer [s]
 
@@ -17,28 +16,23 @@ class Watch:
 
     def __init__(self, limit: float) -> None:
         self._limit = limit
-        adopt(controller_sources())  # from here on this process loads no file itself
-        self._looks: dict[Callable[[float], None], asyncio.Task[None]] = {}
+        set_sources(controller_sources())  # from here on this process loads no file itself
+        self._look: asyncio.Task[None] | None = None
 
-    async def current(self) -> None:
-        """What there is now is known, or it takes long; nobody waits for another try of a file that was slow."""
-        self._begin(refresh, stale)
-        self._begin(try_again, retry_due)
-        if refresh in self._looks:
-            await asyncio.wait({self._looks[refresh]}, timeout=WAIT)
+    async def refresh_if_changed(self) -> None:
+        """Know what there is now, unless that takes long; nobody waits for another try of a file that was slow."""
+        for _ in range(2):  # a look that began before the change does not have it
+            why = due()
+            if why is None:
+                return
+            if self._look is None or self._look.done():
+                self._look = asyncio.create_task(asyncio.to_thread(refresh, self._limit))
+            if why == "retry":
+                return
+            await asyncio.wait({self._look}, timeout=WAIT)
 
     async def close(self) -> None:
-        """Call every look off."""
-        if self._looks:
+        """Call a look off."""
+        if self._look is not None and not self._look.done():
             close()
-            await asyncio.wait(self._looks.values())
-
-    def _begin(self, look: Callable[[float], None], due: Callable[[], bool]) -> None:
-        if look not in self._looks and due():
-            self._looks[look] = asyncio.create_task(asyncio.to_thread(look, self._limit))
-            self._looks[look].add_done_callback(lambda task: self._done(look, task))
-
-    def _done(self, look: Callable[[float], None], task: "asyncio.Task[None]") -> None:
-        del self._looks[look]
-        if not task.cancelled():
-            task.result()
+            await asyncio.wait({self._look})

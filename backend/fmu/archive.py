@@ -4,7 +4,7 @@ import hashlib
 import json
 from collections.abc import Sequence
 
-from backend.custom_controllers.registry import isolated
+from backend.custom_controllers.registry import run_in_sandbox_process
 from backend.ecu.export import zipped
 from backend.fmu.binaries import PLATFORMS, binaries
 from backend.fmu.controller import controller_model
@@ -32,7 +32,11 @@ def fmu(
         UnknownNameError: No such strategy.
         RidelabError: The strategy's controller cannot be exported.
     """
-    model = vehicle_model(scenario) if of == "vehicle" else isolated(strategy, controller_model, scenario, strategy)
+    model = (
+        vehicle_model(scenario)
+        if of == "vehicle"
+        else run_in_sandbox_process(strategy, controller_model, scenario, strategy)
+    )
     return _zipped(model, scenario, version, platforms)
 
 

@@ -115,7 +115,7 @@ class StrictRoute(APIRoute):
 
         async def in_turn(request: Request, ticket: Ticket, body: bytes) -> Response:
             await ticket.turn()
-            await request_context(request).own_files.current()
+            await request_context(request).own_files.refresh_if_changed()
             if body and not self.FILES:
                 request.state.sent = await _parse(body, self.MAX_VALUES)
                 request._json = with_nested_scenario(request.state.sent)

@@ -22,7 +22,7 @@ from backend.requirements import Requirement
 from backend.roads.service import MeasuredRoads
 from backend.runs import pins
 from backend.runs.answers import as_plain, run_answer
-from backend.runs.histories import changed_laws
+from backend.runs.histories import changed_controllers
 from backend.runs.series import SAMPLE_BYTES, most_samples
 from backend.runs.service import Runs, upgraded_scenario
 from backend.store import Store, StoredJob, StoredLink, StoredRun
@@ -101,7 +101,7 @@ class Links:
             stored = await self.runs.stored(run_id, client)
         except NotFoundError:
             raise _unknown(place, "There is no run of this id") from None
-        keys = {name: key for name, key in _histories(stored).items() if name not in changed_laws(stored)}
+        keys = {name: key for name, key in _histories(stored).items() if name not in changed_controllers(stored)}
         present = await self.store.read(self.store.links.pinned, keys.values())
         return _SharedRun(stored=stored, missing={name: key for name, key in keys.items() if key not in present})
 

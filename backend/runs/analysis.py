@@ -11,7 +11,7 @@ from backend.runs.frequency import COST as FREQUENCY_COST
 from backend.runs.frequency import FrequencyAnswer, FrequencyRequest, frequency_answer
 from backend.runs.fuzzy import COST as FUZZY_COST
 from backend.runs.fuzzy import FuzzyAnswer, FuzzyRequest, fuzzy_answer
-from backend.runs.histories import LawGoneError, changed_laws
+from backend.runs.histories import ControllerMissingError, changed_controllers
 from backend.runs.instants import InstantAnswer, instant_answer
 from backend.runs.service import Runs, ordered
 from sim_core import __version__ as CORE_VERSION
@@ -79,8 +79,8 @@ class ControlAnalysis:
                 f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: its "
                 "instants cannot be made again. Post its scenario to run it on this version."
             )
-        if strategy in changed_laws(stored):
-            raise LawGoneError
+        if strategy in changed_controllers(stored):
+            raise ControllerMissingError
         try:
             scenario = await self.roads.on(scenario)
         except InvalidError:

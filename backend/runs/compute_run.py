@@ -9,7 +9,7 @@ from collections.abc import Mapping
 import orjson
 
 from backend import custom_controllers, digest
-from backend.cost.affordable import simulate
+from backend.cost.affordable import drive, simulate
 from backend.outcome import JSON_OPTIONS, Outcome, Sampling, elapsed_ms
 from backend.runs.series import pack
 from sim_core import RidelabError, Scenario
@@ -33,17 +33,18 @@ def compute(scenario: Scenario, strategy: str, key: str, sampling: Sampling | No
     """Simulate one strategy; arguments as of `compute_run`."""
     begin = time.perf_counter()
     try:
-        if key and custom_controllers.is_own(strategy) and digest.result_key(scenario, strategy) != key:
+        if key and custom_controllers.is_custom(strategy) and digest.result_key(scenario, strategy) != key:
             raise ControllerFileError("Its file was saved meanwhile: run it again")
-        return custom_controllers.isolated(strategy, _compute, scenario, strategy, key, sampling)
+        return custom_controllers.run_in_sandbox_process(strategy, _compute, scenario, strategy, key, sampling)
     except RidelabError as error:
         return Outcome.failure(key, strategy, error, begin, sampling)
 
 
 def _compute(scenario: Scenario, strategy: str, key: str, sampling: Sampling | None) -> Outcome:
     begin = time.perf_counter()
-    result = simulate(scenario, strategy)
-    source = source_of(strategy_named(strategy)) if recording_id(strategy) is None else None
+    recorded = recording_id(strategy) is not None
+    result = simulate(scenario, strategy) if recorded else drive(scenario, strategy)
+    source = None if recorded else source_of(strategy_named(strategy))
     summary = result.summary() if source is None else {"source": source, **result.summary()}
     json = orjson.dumps(summary, option=JSON_OPTIONS, default=dict)
     return Outcome(

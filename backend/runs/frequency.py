@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import AfterValidator, Field, model_validator
 
-from backend.custom_controllers import isolated
+from backend.custom_controllers import run_in_sandbox_process
 from backend.models import Answer, StrategiesRequest, Vector
 from sim_core import RidelabError, Scenario
 from sim_core.frequency import responses
@@ -129,7 +129,7 @@ def _one(
     scenario: Scenario, strategy: str, frequencies: Sequence[float], outputs: Sequence[str], stage: str
 ) -> StrategyFrequency:
     try:
-        result = isolated(strategy, frequency_response, scenario, strategy, frequencies, outputs, stage)
+        result = run_in_sandbox_process(strategy, frequency_response, scenario, strategy, frequencies, outputs, stage)
     except RidelabError as error:
         result = FrequencyResult(stage=stage, speed=scenario.speed.initial, reason=str(error))
     return StrategyFrequency.model_validate(result)

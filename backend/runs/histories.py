@@ -12,7 +12,7 @@ from backend import digest
 from backend.compute.shared_computations import SharedComputations
 from backend.compute.workers import Workers
 from backend.cost.estimate import cost_of, estimate
-from backend.custom_controllers import is_own
+from backend.custom_controllers import is_custom
 from backend.errors import CostLimitError, DamagedResultError, GoneError, InvalidError, RoadGoneError
 from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile, refused_where_full
@@ -34,7 +34,7 @@ BAND_BYTES = 64 * 1024 * 1024  # of cached bands: those of a dozen strategies
 MIN_CACHED_BAND = 4 * 1024 * 1024  # a shorter one counts as this long, so that few files stay open [bytes]
 
 
-class LawGoneError(GoneError):
+class ControllerMissingError(GoneError):
     """A controller of one's own has changed or gone since the run."""
 
     def __init__(self) -> None:
@@ -70,7 +70,7 @@ class Histories:
             GoneError: Another core version computed the run and nothing is pinned.
         """
         keys = {item.strategy: item.key for item in stored.shown}
-        current = {name: keys[name] for name in keys.keys() - changed_laws(stored)}
+        current = {name: keys[name] for name in keys.keys() - changed_controllers(stored)}
         if stored.core_version == CORE_VERSION and current == keys:
             return keys
         pinned = await self.store.read(self.store.links.pinned, keys.values())
@@ -78,7 +78,7 @@ class Histories:
             if set(keys.values()) <= pinned:
                 return keys
             if not current:
-                raise LawGoneError
+                raise ControllerMissingError
             return {name: key for name, key in keys.items() if name in current}
         if not pinned:
             raise GoneError(
@@ -156,8 +156,8 @@ class Histories:
                 f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: the time "
                 "histories of all its roads cannot be made again. Post its scenario to run it on this version."
             )
-        if changed_laws(stored) & set(names):
-            raise LawGoneError
+        if changed_controllers(stored) & set(names):
+            raise ControllerMissingError
         roads = seeded(Scenario.model_validate(stored.scenario), stored.roads)
         keys = {name: digest.band_key(roads[0], name, stored.roads) for name in names}
         driven = {name: self._bands[key] for name, key in keys.items() if key in self._bands}
@@ -237,7 +237,7 @@ class Histories:
             yield {name: contents[key] for name, key in keys.items()}
 
 
-def changed_laws(stored: StoredRun) -> set[str]:
+def changed_controllers(stored: StoredRun) -> set[str]:
     """The run's controllers of one's own that are there no more, or are other ones: nothing can be driven again."""
     others = [item for item in stored.shown if item.strategy not in STRATEGIES and recording_id(item.strategy) is None]
     if not others:
@@ -246,7 +246,7 @@ def changed_laws(stored: StoredRun) -> set[str]:
     return {
         item.strategy
         for item in others
-        if not is_own(item.strategy) or digest.result_key(scenario, item.strategy) != item.key
+        if not is_custom(item.strategy) or digest.result_key(scenario, item.strategy) != item.key
     }
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from pydantic import AliasChoices, Field
 
 from backend.cost.estimate import check_affordable
-from backend.custom_controllers import isolated
+from backend.custom_controllers import run_in_sandbox_process
 from backend.models import Answer, Matrix, Vector
 from sim_core.instant import Instant, instant
 from sim_core.scenario import Scenario
@@ -77,7 +77,7 @@ class InstantAnswer(Answer):
 def instant_answer(scenario: Scenario, strategy: str, position: float | None, time: float | None) -> InstantAnswer:
     """The answer, computed in a worker, which keeps the drive for the next one."""
     check_affordable(scenario, strategy)
-    return isolated(strategy, _instant_answer, scenario, strategy, position, time)
+    return run_in_sandbox_process(strategy, _instant_answer, scenario, strategy, position, time)
 
 
 def _instant_answer(scenario: Scenario, strategy: str, position: float | None, time: float | None) -> InstantAnswer:

@@ -29,7 +29,7 @@ from backend.runs.answers import (
     live_json,
     run_answer,
 )
-from backend.runs.histories import LawGoneError
+from backend.runs.histories import ControllerMissingError
 from backend.runs.results import Results
 from backend.runs.series import ordered_signals
 from backend.store import Store, StoredRun
@@ -232,7 +232,7 @@ class Runs:
         names = [name for name in by_name if whole or any(item.strategy == name for item in missing)]
         changed = _changed_controllers(stored, scenario, names)
         if whole and changed:
-            raise LawGoneError
+            raise ControllerMissingError
         names = [name for name in names if name not in changed]
         try:
             by_road = await self.results.get(seeded(scenario, stored.roads), names, client) if names else []

@@ -93,7 +93,7 @@ class TuningSteps:
     async def _check_law(self, request: JsonObject) -> None:
         """A controller of one's own is the one that the tuning began with, or it fails: two laws are not mixed."""
         if (source := request.get("source")) is not None:
-            await self._own_files.current()
+            await self._own_files.refresh_if_changed()
             if custom_controllers.source(request["strategy"]) != source:
                 raise JobFailedError(f"{source['file']} has changed or gone since it began: begin another tuning")
 

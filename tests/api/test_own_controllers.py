@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from pythonfmu.builder import FmuBuilder
 
-from backend.custom_controllers import registry, watch
+from backend.custom_controllers import registry
 from backend.fmu.archive import fmu
 from sim_core import Scenario, load_controllers, simulate
 from tests.api.conftest import Service
@@ -363,13 +363,11 @@ def test_a_file_that_cannot_be_used_keeps_nothing_else_from_working(
     assert service.run(["whole"], SCENARIO).status_code == 422
     assert own(service)["endless"]["fault"] == faults["endless.py"]
     monkeypatch.setattr(registry, "LOADING", 30.0)
-    monkeypatch.setattr(watch, "WAIT", 60.0)
     monkeypatch.setattr(registry, "TRY_AGAIN", 0.0)
     own(service)
     wait_until(lambda: registry._describing, "what took too long is tried again, unchanged")
     trying = set(registry._describing)
-    (folder / "half.py").write_text(LAW.replace("mine", "whole"))
-    assert own(service)["whole"]["fault"] is None
-    assert trying <= registry._describing, "which keeps neither a request nor a changed file waiting"
+    assert own(service)["endless"]["fault"] == faults["endless.py"]
+    assert trying <= registry._describing, "which keeps no request waiting"
     away.unlink()
     wait_until(lambda: "late" in own(service), "it is loaded")

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from pythonfmu.builder import FmuBuilder
 
-from backend.custom_controllers.description import described, stand_in
+from backend.custom_controllers.description import described, proxy_class
 from backend.fmu.archive import fmu
 from backend.fmu.description import Version
 from sim_core import Controller, RidelabError, Scenario, StrategyResult, check_controller, load_controllers, simulate
@@ -105,7 +105,7 @@ def test_our_exported_lqr_drives_like_ours(version: Version, tmp_path: Path) -> 
     assert check_controller(kind, SCENARIO) == []
     asks_for = [each.for_scenario(SCENARIO) for each in (kind(), STRATEGIES["lqr"]())]
     assert len({(each.preview, each.preview_steps) for each in asks_for}) == 1
-    assert all("mismatch" in reads(each) for each in (kind, stand_in(described(kind))))
+    assert all("mismatch" in reads(each) for each in (kind, proxy_class(described(kind))))
     limited = simulate(SCENARIO, kind(force_limit=300.0))
     assert np.abs(limited.series["front_force"]).max() == 300
 

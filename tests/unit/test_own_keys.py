@@ -5,7 +5,7 @@ import sys
 import pytest
 
 from backend.cost.estimate import work
-from backend.custom_controllers.description import described, stand_in
+from backend.custom_controllers.description import described, proxy_class
 from sim_core import Controller, check_controller, load_controllers, simulate
 from sim_core.scenario import Bump, Estimation, Lqr, Mpc, Road, Scenario, dotted
 from sim_core.scenario.dotted import is_within
@@ -123,7 +123,7 @@ def test_who_looks_ahead_has_the_sensors_errors_in_its_key_however_it_says_so(
     """Also where the service knows the class by its description alone; in a scenario whose MPC looks nowhere."""
     kind = own_ways[way]
     assert check_controller(kind, BASE) == []
-    known = [kind, stand_in(described(kind))]
+    known = [kind, proxy_class(described(kind))]
     keys, results = [values_read(BASE, each) for each in known], [simulate(BASE, kind).comfort["weighted_rms"]]
     plain = BASE.model_dump(mode="json")
     for name, value in ERRORS_AHEAD.items():
@@ -159,7 +159,7 @@ def forgetful(scenario: Scenario, kind: type[Controller]) -> tuple[str, ...]:
 
 def test_whether_a_run_is_too_expensive_follows_from_what_its_key_has(own_ways: dict[str, type[Controller]]) -> None:
     """Its horizon is its own: the scenario's is not in the key, and a failure would be stored for all of them."""
-    kind, shares = stand_in(described(own_ways["horizon"])), 1.0
+    kind, shares = proxy_class(described(own_ways["horizon"])), 1.0
     longer = BASE.model_copy(update={"mpc": Mpc(preview="none", prediction_horizon=200)})
     assert values_read(longer, kind) == values_read(BASE, kind)
     assert work(longer, kind, 5.0, shares) == work(BASE, kind, 5.0, shares)

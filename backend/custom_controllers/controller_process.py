@@ -28,7 +28,7 @@ MEMORY = 4 * 1024**3  # of address space, so that a law that takes ever more is 
 STARTING = 30.0  # Python and the core may take to be imported [s]
 GRACE = 2.0  # beyond its limit: a law that catches everything does not end by itself [s]
 SHORTEST = 1e-3  # that a timer is set to; 0 would switch it off [s]
-_MAIN = "import sys; from backend.custom_controllers.host import main; main(sys.argv[1])"
+_MAIN = "import sys; from backend.custom_controllers.controller_process import main; main(sys.argv[1])"
 _PARENT_DEATH_SIGNAL = 1  # prctl(2)
 
 
@@ -40,7 +40,7 @@ class _OutOfTime(BaseException):
     """Nothing that a law should catch."""
 
 
-class Host:
+class ControllerProcess:
     """A process with one file loaded.
 
     Args:
