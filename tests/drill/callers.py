@@ -93,7 +93,9 @@ async def _exchange(
 
 
 def quantile(times: list[float], share: float) -> float:
-    """The quantile of times in seconds [ms]."""
+    """Return the quantile of times in seconds [ms]; 0 of none."""
+    if not times:
+        return 0.0
     return 1000 * sorted(times)[min(len(times) - 1, int(share * len(times)))]
 
 

@@ -1,4 +1,4 @@
-"""Three times as much as the service can do, for a minute: it does nearly all it can, and refuses the rest at once.
+"""Three times as much as the service can do, for a minute: it does nearly all it can, and the queue bounds the wait.
 
 Shipped settings, twenty addresses, each request a road nobody drove before. Every bound is a ratio to one of the same
 run, so that the machine does not matter, or far above what is measured. The load generator runs on the same cores: what
@@ -16,6 +16,8 @@ from dataclasses import dataclass, field
 
 import pytest
 
+from backend.gate.gate import SERVICE_QUEUES
+from backend.settings import Settings
 from tests.drill.callers import Caller, new_run, quantile, run_id
 from tests.servers import loops
 from tests.servers.process import Api
@@ -140,9 +142,11 @@ async def overload(port: int) -> None:
         for name, valid in (("all valid", [True]), ("a tenth invalid", [True] * 9 + [False])):
             answers = await open_loop(callers, 3 * calm.rate, calm.runs, itertools.cycle(valid))
             print(f"\n{name}: {summary(answers, calm)}")
-            assert statistics.median(answers.refused) < statistics.median(answers.good) / 2, "a refusal comes sooner"
-            assert quantile(answers.good, 0.99) < 5000
-            assert quantile(answers.stored, 0.5) < 100
+            if answers.refused:
+                assert statistics.median(answers.refused) < statistics.median(answers.good) / 2, "it comes sooner"
+            longest = Settings().max_client_requests * SERVICE_QUEUES / calm.rate  # that the whole queue takes [s]
+            assert quantile(answers.good, 0.99) < 2000 * longest
+            assert statistics.median(answers.stored) < statistics.median(answers.good) / 2
             assert quantile(answers.health, 0.99) < 2000
             assert share_done(answers, calm) >= 0.8
     finally:
