@@ -27,7 +27,7 @@ test: development ## everything: style, types, import rules, all tests, browser 
 suite: development ## the tests alone
 	$(BIN)/python -m pytest tests --ignore tests/drill $(PYTEST)
 
-drill: development $(VENV)/clients/.installed ## at length: new random scenarios, kills in sixty lives, load, locks, backups, fuzzing, costs; DRILL_KILLS= and DRILL_SEED= change it
+drill: development $(VENV)/clients/.installed ## at length: new random scenarios, kills in sixty lives, load, fuzzing, costs; DRILL_KILLS= and DRILL_SEED= change it
 	THOROUGH=1 HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/validation tests/faults/test_release.py --numprocesses 2
 	THOROUGH=1 $(BIN)/python -m pytest tests/browser
 	THOROUGH=1 $(BIN)/python -m pytest tests -m thorough --ignore tests/browser --ignore tests/drill --ignore tests/validation

@@ -40,7 +40,7 @@ class Commits:
 
     @contextlib.contextmanager
     def following(self, job_id: str = EVERY) -> Iterator[Follower]:
-        """A follower of that job, or of every job, for the length of the block."""
+        """Return a follower of that job, or of every job, for the length of the block."""
         follower = Follower()
         with self._lock:
             self._followers.setdefault(job_id, set()).add(follower)

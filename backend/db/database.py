@@ -118,7 +118,7 @@ class Database:
                 del self._readers[connection]
 
     def now(self) -> datetime:
-        """The time by the database's clock."""
+        """Return the time by the database's clock."""
         with self.reading() as connection:
             time_there: datetime = connection.execute(select(Now())).scalar_one()
         return time_there
@@ -189,7 +189,7 @@ class Database:
             try_writing(self.engine)
 
     async def usable(self) -> bool:
-        """Whether the database answers and can be written to; the log has why not, once."""
+        """Check whether the database answers and can be written to; the log has why not, once."""
         try:
             await self.read(self.ping)
         except SQLAlchemyError as error:
@@ -211,12 +211,12 @@ class Database:
         return self._is_sqlite and self._open_writes > 0
 
     def _is_read_by_us(self, since: float) -> bool:
-        """Whether a reader of our own, who was there before this try, keeps us from committing to SQLite."""
+        """Check whether a reader of our own, who was there before this try, keeps us from committing to SQLite."""
         return self._is_sqlite and self._committing and any(begun < since for begun in tuple(self._readers.values()))
 
     @property
     def _name(self) -> str:
-        """The database as messages name it, without a password."""
+        """Return the database as messages name it, without a password."""
         return "The database" if self._file is None else str(self._file.path)
 
     def _migrate(self) -> None:
@@ -252,7 +252,7 @@ class RowStore:
         self._database = database
 
     def _checked(self, table: Table, query: Select[Any], what: str) -> Sequence[Row[Any]]:
-        """The table's rows that the query finds, each as it was written; `what` is as in `check`."""
+        """Return the table's rows that the query finds, each as it was written; `what` is as in `check`."""
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
         for row in rows:

@@ -43,12 +43,12 @@ def server_engine(url: URL) -> Engine:
 
 
 def is_silent(error: DBAPIError) -> bool:
-    """Whether a server that should have answered did not."""
+    """Check whether a server that should have answered did not."""
     return getattr(error.orig, "silent", False)
 
 
 def is_deadlock(error: DBAPIError) -> bool:
-    """Whether the server rolled the transaction back, as it and another one waited for each other."""
+    """Check whether the server rolled the transaction back, as it and another one waited for each other."""
     return getattr(error.orig, "sqlstate", None) == DEADLOCK
 
 

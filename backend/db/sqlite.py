@@ -69,7 +69,7 @@ class DatabaseFile:
         self._opened: tuple[int, int] | None = None
 
     def connect(self) -> sqlite3.Connection:
-        """A connection; unlike SQLite's own it creates no file where there is none."""
+        """Return a connection; unlike SQLite's own it creates no file where there is none."""
         return sqlite3.connect(
             f"{self.path.absolute().as_uri()}?mode=rw",
             uri=True,
@@ -151,12 +151,12 @@ def _set_up(connection: sqlite3.Connection, _: object) -> None:
 
 
 def _now() -> str:
-    """The machine's clock, which all who share the file have, in the form of times in the file."""
+    """Return the machine's clock, which all who share the file have, in the form of times in the file."""
     return f"{datetime.now(UTC):%Y-%m-%d %H:%M:%S.%f}"
 
 
 def _begin(connection: Connection) -> None:
-    """A writer takes its lock at once: one that upgrades a read lock may fail without waiting."""
+    """Have a writer take its lock at once: one that upgrades a read lock may fail without waiting."""
     options = connection.get_execution_options()
     lock_timeout: float | None = options.get("lock_timeout")
     driver: Any = connection.connection.dbapi_connection  # where nothing can fail: SQLAlchemy takes ten times as long
@@ -187,12 +187,12 @@ def try_writing(engine: Engine) -> None:
 
 
 def is_locked(error: DBAPIError) -> bool:
-    """Whether SQLite gave up waiting for a lock."""
+    """Check whether SQLite gave up waiting for a lock."""
     return _code(error) == sqlite3.SQLITE_BUSY
 
 
 def is_damaged(error: BaseException | None) -> bool:
-    """Whether a driver's error says that the database's own pages are damaged."""
+    """Check whether a driver's error says that the database's own pages are damaged."""
     code = getattr(error, "sqlite_errorcode", 0)
     return code & 0xFF in DAMAGED or code in UNREADABLE or getattr(error, "sqlstate", None) in SERVER_DAMAGED
 
@@ -213,5 +213,5 @@ def _cause(error: DBAPIError | sqlite3.Error) -> BaseException | None:
 
 
 def wal_is_safe(version: tuple[int, ...]) -> bool:
-    """Whether that SQLite has the fix of the WAL-reset race (3.51.3, and 3.50.7 and 3.44.6 on their branches)."""
+    """Check whether that SQLite has the fix of the WAL-reset race (3.51.3, and 3.50.7 and 3.44.6 on their branches)."""
     return version >= (3, 51, 3) or (3, 50, 7) <= version < (3, 51) or (3, 44, 6) <= version < (3, 45)

@@ -41,7 +41,7 @@ class Utc(TypeDecorator[datetime]):
     cache_ok = True
 
     def result_processor(self, dialect: Any, coltype: Any) -> Callable[[Any], datetime | None] | None:
-        """What makes a time of a stored value, and raises DamagedError where it is none."""
+        """Return what makes a time of a stored value, and raises DamagedError where it is none."""
         read = super().result_processor(dialect, coltype)
 
         def time(value: Any) -> datetime | None:
@@ -53,7 +53,7 @@ class Utc(TypeDecorator[datetime]):
         return time
 
     def process_result_value(self, value: datetime | None, dialect: Any) -> datetime | None:
-        """The time with its zone."""
+        """Return the time with its zone."""
         if value is None:
             return None
         return value.replace(tzinfo=UTC) if value.tzinfo is None else value.astimezone(UTC)

@@ -119,7 +119,7 @@ class LinkView(RequestModel):
     versus: Column | None = Field(None, description="Of a batch only: the metric on the x axis of a trade-off.")
 
     def names(self) -> Iterator[tuple[str, str]]:
-        """The strategies it names, each after its place in the view."""
+        """Return the strategies it names, each after its place in the view."""
         for part in ("strategies", "hidden"):
             yield from ((f"{part}/{number}", name) for number, name in enumerate(getattr(self, part) or ()))
         single = {"baseline": self.baseline, "strategy": self.strategy, "against": self.against}

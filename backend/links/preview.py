@@ -26,7 +26,7 @@ class Preview:
 
 
 def of_run(run: JsonObject, view: JsonObject, computed_at: datetime) -> Preview:
-    """The preview of a link to a run.
+    """Return the preview of a link to a run.
 
     Args:
         run: As `Run` or `RoadsRun`, its scenario today's.
@@ -59,7 +59,7 @@ def of_run(run: JsonObject, view: JsonObject, computed_at: datetime) -> Preview:
 
 
 def of_batch(batch: JsonObject, computed_at: datetime) -> Preview:
-    """The preview of a link to a batch.
+    """Return the preview of a link to a batch.
 
     Args:
         batch: As `Batch`.
@@ -80,7 +80,7 @@ def of_batch(batch: JsonObject, computed_at: datetime) -> Preview:
 
 
 def page(index: str, preview: Preview, *, shared: bool = True) -> str:
-    """The dashboard's page with that head instead of its own title and description.
+    """Return the dashboard's page with that head instead of its own title and description.
 
     Args:
         index: The built `index.html`.
@@ -104,7 +104,7 @@ def page(index: str, preview: Preview, *, shared: bool = True) -> str:
 
 
 def _compared(names: Sequence[str], view: JsonObject) -> tuple[str | None, str | None]:
-    """The strategy that the title names and the one it is compared with, among those that succeeded."""
+    """Return the strategy that the title names and the one it is compared with, among those that succeeded."""
     baseline = view.get("baseline") or "passive"
     shown = [name for name in view.get("strategies") or names if name in names]
     visible = [name for name in shown if name not in (view.get("hidden") or [])] or shown or list(names)
@@ -129,7 +129,7 @@ def _phrase(entry: JsonObject, against: JsonObject | None, window: str, signal: 
 
 
 def _peak(entry: JsonObject, window: str, signal: str) -> float | None:
-    """The peak in a summary, which an older core may have written with other names."""
+    """Return the peak in a summary, which an older core may have written with other names."""
     value = METRICS[metric_key(window, signal, PEAK)].of(entry)
     if isinstance(value, Mapping):
         value = value["mean"]
@@ -137,7 +137,7 @@ def _peak(entry: JsonObject, window: str, signal: str) -> float | None:
 
 
 def _field(field: Mapping[str, str]) -> str:
-    """A swept field's title, with its part where the title alone is ambiguous: `bump height`, `target speed`."""
+    """Return a swept field's title, with its part where the title alone is ambiguous: `bump height`, `target speed`."""
     part, title = ("", *field["name"].split("."))[-2].replace("_", " "), field["title"].lower()
     return title if part in title else f"{part} {title}"
 
@@ -154,7 +154,7 @@ def _drive(scenario: JsonObject) -> list[str]:
 
 
 def _length(value: float) -> str:
-    """A length with two decimals, or three where they are needed."""
+    """Return a length with two decimals, or three where they are needed."""
     text = f"{value:.3f}"
     return text.removesuffix("0")
 

@@ -96,7 +96,7 @@ class Links:
         return bool(_histories(shared[0].stored)) and set(shared[0].missing.values()) <= series[0].keys()
 
     async def _shared(self, run_id: str, place: str, client: str) -> _SharedRun:
-        """The run, and which of its time histories no link has pinned yet."""
+        """Return the run, and which of its time histories no link has pinned yet."""
         try:
             stored = await self.runs.stored(run_id, client)
         except NotFoundError:
@@ -117,7 +117,7 @@ class Links:
             raise _unknown("batch_id", "There is no batch of this id")
 
     async def get(self, slug: str, client: str) -> JsonObject:
-        """The answer about a link, of the shape of `Link` but for its `url`.
+        """Return the answer about a link, of the shape of `Link` but for its `url`.
 
         Raises:
             NotFoundError: There is none.
@@ -203,7 +203,7 @@ class Links:
 
 
 def _batch(job: StoredJob) -> Batch:
-    """A batch whose scenario is today's already."""
+    """Return a batch whose scenario is today's already."""
     return Batch.from_stored(replace(job, schema_version=SCHEMA_VERSION), 0, resumable=False)
 
 
@@ -221,7 +221,7 @@ def _check_names(view: LinkView, stored: Iterable[str]) -> None:
 
 
 def _sent(view: LinkView, requirements: Sequence[Requirement]) -> JsonObject:
-    """What is stored of how a result is looked at, its requirements among it."""
+    """Return what is stored of how a result is looked at, its requirements among it."""
     required = [each.model_dump(mode="json", exclude_none=True) for each in requirements]
     return view.model_dump(mode="json", exclude_unset=True) | ({_REQUIREMENTS: required} if required else {})
 

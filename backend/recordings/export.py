@@ -7,7 +7,7 @@ from sim_core.scenario.recorded import RecordedDrive
 
 
 def as_csv(drive: RecordedDrive) -> bytes:
-    """Its signals in SI units to the last digit; a cell without a value is empty."""
+    """Return its signals in SI units to the last digit; a cell without a value is empty."""
     signals = drive.signals()
     head = ",".join(f"{key} [{SIGNALS[key].unit}]" for key in signals)
     rows = np.array(list(signals.values())).T.tolist()

@@ -47,7 +47,7 @@ class Reading:
 
 
 def read(content: bytes, mapping: Mapping[str, str]) -> Reading:
-    """The recording of a CSV file.
+    """Return the recording of a CSV file.
 
     Args:
         content: The file.
@@ -79,7 +79,7 @@ def read(content: bytes, mapping: Mapping[str, str]) -> Reading:
 
 
 def _opened(content: bytes) -> tuple[int, csv_lines.Lines, str, list[str]]:
-    """Line of the header, what follows it, the separator, and the names of the columns."""
+    """Return the line of the header, what follows it, the separator, and the names of the columns."""
     lines = csv_lines.lines(csv_lines.decoded(content), MAX_LINE)
     number, head = next(lines, (1, ""))
     between = csv_lines.separator(head)
@@ -167,7 +167,7 @@ def _check(signals: Mapping[str, FloatArray], numbers: Sequence[int]) -> None:
 def _apart_at_gaps(
     signals: dict[str, FloatArray], numbers: Sequence[int], warnings: list[str]
 ) -> dict[str, FloatArray]:
-    """With a sample without values in each gap, so that nothing is drawn or integrated across it."""
+    """Return the signals with a sample without values in each gap, so that nothing is drawn or integrated across it."""
     key, least = ("time", GAP_TIME) if "time" in signals else ("position", GAP_DISTANCE)
     steps = np.diff(signals[key])
     gaps = np.flatnonzero(steps > max(least, GAP_STEPS * float(np.median(steps[steps > 0]))))
@@ -182,7 +182,7 @@ def _apart_at_gaps(
 
 
 def _filled(signals: dict[str, FloatArray], warnings: list[str]) -> dict[str, FloatArray]:
-    """Straight between the values of a signal that came at a slower rate than others."""
+    """Return the signals straight between the values of a signal that came at a slower rate than others."""
     at = signals["time"] if "time" in signals else signals["position"]
     filled = {}
     for key, values in signals.items():

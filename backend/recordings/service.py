@@ -48,7 +48,7 @@ class Recordings:
         return CreatedRecording(**head, columns=columns, warnings=list(read.warnings))
 
     async def get(self, recording: str, client: str) -> RecordingAnswer:
-        """The stored recording.
+        """Return the stored recording.
 
         Raises:
             NotFoundError: There is none.
@@ -80,7 +80,7 @@ class Recordings:
         await self.store.write(self.store.recordings.delete, recording, owner)
 
     async def csv(self, recording: str, client: str) -> bytes:
-        """Its signals as CSV; sent again, it is the same recording.
+        """Return its signals as CSV; sent again, it is the same recording.
 
         Raises:
             NotFoundError: There is none.
@@ -98,7 +98,7 @@ class Recordings:
         return drive
 
     async def on(self, scenario: Scenario, strategies: Iterable[str]) -> Scenario:
-        """The scenario with the recordings among these strategies.
+        """Return the scenario with the recordings among these strategies.
 
         Raises:
             InvalidError: One is not there.
@@ -107,7 +107,7 @@ class Recordings:
         return scenario.with_recordings(drives.values()) if drives else scenario
 
     async def named(self, strategies: Iterable[str]) -> Mapping[str, RecordedDrive]:
-        """The recordings among these strategies, by id.
+        """Return the recordings among these strategies, by id.
 
         Raises:
             InvalidError: One is not there.
@@ -120,7 +120,7 @@ class Recordings:
 
 
 def head_of(drive: RecordedDrive) -> dict[str, Any]:
-    """What is answered about a recording; by a worker."""
+    """Return what is answered about a recording; by a worker."""
     signals = drive.signals()
     duration, distance = (float(np.ptp(signals[key])) if key in signals else None for key in ("time", "position"))
     return {

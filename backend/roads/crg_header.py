@@ -37,7 +37,7 @@ class Header:
     line: int = 0
 
     def scale(self, name: str) -> float:
-        """A modifier."""
+        """Return a modifier."""
         return self.values.get(f"scale_{name}", 1.0)
 
     @property
@@ -47,7 +47,7 @@ class Header:
 
 
 def read_header(content: bytes) -> Header:
-    """The header of a file.
+    """Return the header of a file.
 
     Raises:
         SurveyError: It is none, or something in it is not supported.
@@ -136,7 +136,7 @@ def _checked(header: Header) -> Header:
 
 
 def places_of(header: Header) -> dict[int, float]:
-    """Where each long section is, v [m], by its channel."""
+    """Return where each long section is, v [m], by its channel."""
     count, numbers = len(header.sections), list(header.sections.values())
     if header.numbered:
         if sorted(numbers) != list(range(1, count + 1)):

@@ -26,13 +26,13 @@ def as_csv(road: MeasuredRoad) -> bytes:
 
 
 def exported_id(text: str) -> str | None:
-    """The id of the road in a file that `as_csv` has written; None for any other file."""
+    """Return the id of the road in a file that `as_csv` has written; None for any other file."""
     match = _EXPORTED.match(text)
     return match and match[1]
 
 
 def unchanged(road_id: str, distance: FloatArray, heights: FloatArray) -> MeasuredRoad | None:
-    """The road of that id where these are its distances and heights (samples,) [m]; None where they are not."""
+    """Return the road of that id where these are its distances and heights (samples,) [m]; None where they are not."""
     places = np.arange(len(heights)) * SPACING
     if np.abs(distance - places).max() > SPACING / 10 or np.abs(heights).max() > HIGHEST:
         return None

@@ -53,7 +53,7 @@ _DIGITS[list(b"0123456789+-.eEdD ")] = True  # all else in a value's place says 
 
 
 def read(content: bytes, left: float | None = None, right: float | None = None) -> Survey:
-    """The road under two wheels, which run beside the reference line at v = `left` and v = `right` [m].
+    """Return the road under two wheels, which run beside the reference line at v = `left` and v = `right` [m].
 
     Raises:
         SurveyError: There is none, or something in it is not supported; `line` is where, None in a binary part.
@@ -78,7 +78,7 @@ def read(content: bytes, left: float | None = None, right: float | None = None) 
 
 
 def _wheels(header: Header, v: FloatArray, left: float | None, right: float | None) -> tuple[float, float]:
-    """Where the two wheels run, v [m]."""
+    """Return where the two wheels run, v [m]."""
     wheels = (min(TRACK, float(v[-1])) if left is None else left, max(-TRACK, float(v[0])) if right is None else right)
     if not v[0] - 1e-9 <= wheels[1] < wheels[0] <= v[-1] + 1e-9:
         span = f"from {v[0]:g} m right to {v[-1]:g} m left"
@@ -88,7 +88,7 @@ def _wheels(header: Header, v: FloatArray, left: float | None, right: float | No
 
 
 def _text_values(header: Header, content: bytes) -> FloatArray:
-    """The values (rows, channels); a row begins a line, and a line has at most RECORD characters."""
+    """Return the values (rows, channels); a row begins a line, and a line has at most RECORD characters."""
     width = TEXT[header.data_format]
     row = header.channels * width
     lengths = [min(RECORD, row - begin) for begin in range(0, row, RECORD)]
@@ -137,7 +137,7 @@ def _is_number(cell: bytes) -> bool:
 
 
 def _binary_values(header: Header, content: bytes) -> FloatArray:
-    """The values (rows, channels): one after the other, the last record filled with NaN."""
+    """Return the values (rows, channels): one after the other, the last record filled with NaN."""
     kind = np.dtype(BINARY[header.data_format])
     rows = (len(content) - header.begin) // (kind.itemsize * header.channels)
     values = np.frombuffer(content, kind, rows * header.channels, header.begin).reshape(-1, header.channels)
@@ -148,7 +148,7 @@ def _binary_values(header: Header, content: bytes) -> FloatArray:
 
 
 def _complete(header: Header, values: FloatArray) -> FloatArray:
-    """The cross-sections that the header announces; without that, up to the last one with a value."""
+    """Return the cross-sections that the header announces; without that, up to the last one with a value."""
     end = header.values.get("reference_line_end_u")
     if end is None:
         rows = int(np.flatnonzero(~np.isnan(values).all(axis=1)).max(initial=-1)) + 1
@@ -185,7 +185,7 @@ def _across(header: Header, table: FloatArray, places: dict[int, float], wheel: 
 
 
 def _reference(header: Header, table: FloatArray, wheel: float) -> FloatArray:
-    """What slope and banking of the reference line add to the heights (rows,) [m] at v [m]."""
+    """Return what slope and banking of the reference line add to the heights (rows,) [m] at v [m]."""
     columns = {name: table[:, channel].astype(np.float64) for name, channel in header.reference.items()}
     if any(np.isnan(column[1:]).any() for column in columns.values()):
         raise SurveyError("A value of the reference line is missing", None)
@@ -212,7 +212,7 @@ def _check_bends(header: Header, table: FloatArray, wheels: Sequence[float]) -> 
 
 
 def as_binary(road: MeasuredRoad) -> bytes:
-    """Every height of the road across 3 m; sent again, it is the same road.
+    """Return every height of the road across 3 m; sent again, it is the same road.
 
     Single precision keeps each micrometre below 16 m; a road that reaches higher is written in double precision.
     """
@@ -225,7 +225,7 @@ def as_binary(road: MeasuredRoad) -> bytes:
 
 
 def as_text(road: MeasuredRoad) -> bytes:
-    """The same as text, to a micrometre."""
+    """Return the same as text, to a micrometre."""
     heights = road.heights()
     data_format = "LRFI" if float(np.abs(heights).max()) < 99 else "LDFI"
     width = TEXT[data_format]

@@ -61,7 +61,7 @@ class MeasuredRoads:
         )
 
     async def get(self, road_id: str, points: int, client: str) -> RoadAnswer:
-        """The stored road with at most so many of its heights.
+        """Return the stored road with at most so many of its heights.
 
         Raises:
             NotFoundError: There is none.
@@ -96,7 +96,7 @@ class MeasuredRoads:
         await self.store.write(self.store.roads.delete, road_id, owner)
 
     async def exported(self, road_id: str, client: str, write: Callable[[MeasuredRoad], bytes]) -> bytes:
-        """Every height of the stored road, as `write` writes it; sent again, it is the same road.
+        """Return every height of the stored road, as `write` writes it; sent again, it is the same road.
 
         Raises:
             NotFoundError: There is none.
@@ -122,7 +122,7 @@ class MeasuredRoads:
         return await self.on(scenario) if scenario.road.follows_profile else scenario
 
     async def on(self, scenario: Scenario) -> Scenario:
-        """The scenario with the heights of the measured road it names.
+        """Return the scenario with the heights of the measured road it names.
 
         Raises:
             InvalidError: There is no such road, or the bump is not on it.
@@ -141,7 +141,7 @@ class MeasuredRoads:
             raise InvalidError(f"{error.message}.", pointer=f"/scenario/{str(error.field).replace('.', '/')}") from None
 
     async def named(self, ids: Iterable[str], pointer: str = POINTER) -> Mapping[str, MeasuredRoad]:
-        """The roads of these ids.
+        """Return the roads of these ids.
 
         Raises:
             InvalidError: One is not there.

@@ -56,7 +56,7 @@ class Survey:
 
 
 def read(content: bytes) -> Survey:
-    """The road of a CSV file.
+    """Return the road of a CSV file.
 
     Raises:
         CsvError: It is none; `line` is where.
@@ -135,7 +135,7 @@ def check_heights(tracks: Sequence[FloatArray], numbers: Sequence[int | None]) -
 
 
 def exported_survey(road_id: str, distance: FloatArray, tracks: Sequence[FloatArray]) -> Survey:
-    """The road of a file that says it is an export: the same one again, if nothing in it was changed."""
+    """Return the road of a file that says it is an export: the same one again, if nothing in it was changed."""
     alike = all(np.array_equal(track, tracks[0]) for track in tracks[1:])
     road = export.unchanged(road_id, distance, tracks[0]) if alike else None
     if road is None:
@@ -166,7 +166,7 @@ def analysis_of(distance: FloatArray, tracks: Sequence[FloatArray]) -> JsonObjec
 
 
 def survey_of(distance: FloatArray, tracks: Sequence[FloatArray]) -> Survey:
-    """The road of one track or two (n,) [m], and what was done to them."""
+    """Return the road of one track or two (n,) [m], and what was done to them."""
     profile = surveyed(distance, np.mean(tracks, axis=0))
     most = float(np.abs(profile.heights).max())
     if not most <= export.HIGHEST:  # nor NaN

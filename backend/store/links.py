@@ -70,7 +70,7 @@ class LinkStore(RowStore):
         return True
 
     def load(self, slug: str) -> StoredLink | None:
-        """The link of that slug, if there is one.
+        """Return the link of that slug, if there is one.
 
         Raises:
             RevokedError: It was taken back.
@@ -125,7 +125,7 @@ class LinkStore(RowStore):
             _unpin(connection, [row.run_id for row in rows])
 
     def pinned(self, keys: Iterable[str]) -> set[str]:
-        """Those of the results whose time histories are pinned."""
+        """Return those of the results whose time histories are pinned."""
         column = pinned_series.c.result_key
         with self._database.reading() as connection:
             return set(connection.execute(select(column).where(column.in_(list(keys)))).scalars())

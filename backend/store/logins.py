@@ -15,7 +15,7 @@ class LoginStore(RowStore):
             insert_new(connection, ended_logins, [{"login": login}])
 
     def has_ended(self, login: str) -> bool:
-        """Whether it has."""
+        """Check whether a login has ended."""
         with self._database.reading() as connection:
             row = connection.execute(select(ended_logins.c.login).where(ended_logins.c.login == login)).first()
         return row is not None

@@ -23,7 +23,7 @@ class RecordingStore(FileStore):
             self._save(connection, row, owner)
 
     def load(self, ids: Iterable[str]) -> dict[str, RecordedDrive]:
-        """The stored ones of these recordings, by id."""
+        """Return the stored ones of these recordings, by id."""
         rows = self._checked(recordings, select(recordings).where(recordings.c.id.in_(list(ids))), "recording")
         return {
             row.id: RecordedDrive(id=row.id, samples=row.samples, keys=row.signals, content=row.content) for row in rows

@@ -52,6 +52,6 @@ class RoadStore(FileStore):
         return (rows[0].analysis if rows else None) or {}
 
     def load(self, ids: Iterable[str]) -> dict[str, MeasuredRoad]:
-        """The stored ones of these roads, by id."""
+        """Return the stored ones of these roads, by id."""
         rows = self._checked(roads, select(roads).where(roads.c.id.in_(list(ids))), "measured road")
         return {row.id: MeasuredRoad(id=row.id, samples=row.samples, content=row.content) for row in rows}

@@ -65,7 +65,7 @@ class StoredRun:
 
     @property
     def failed_now(self) -> set[str]:
-        """The keys of results that could not be computed, for reasons that may pass: they are not stored."""
+        """Return the keys of results that could not be computed, for reasons that may pass: they are not stored."""
         return {item.key for item in self.results if not item.cacheable}
 
     @property
@@ -103,13 +103,13 @@ class RunStore(RowStore):
     """Reads and writes runs; safe for several threads and several processes."""
 
     def load(self, run_id: str) -> StoredRun | None:
-        """The run of that id, if it is stored."""
+        """Return the run of that id, if it is stored."""
         with self._database.reading() as connection:
             rows = _read_run(connection, run_id)
         return self._stored_run(*rows)
 
     def load_results(self, keys: Iterable[str]) -> dict[str, Outcome]:
-        """The stored ones of these results, by key."""
+        """Return the stored ones of these results, by key."""
         query = select(results).where(results.c.key.in_(list(keys)), results.c.status != EXPIRED)
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
@@ -176,7 +176,7 @@ def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_ver
 
 
 def _row(item: Outcome, core_version: str) -> dict[str, object]:
-    """The row of a result; of a failure that is not stored, of one that has expired."""
+    """Return the row of a result; of a failure that is not stored, of one that has expired."""
     row = {"key": item.key, "strategy": item.strategy, "core_version": core_version}
     if item.cacheable:
         return {**row, "status": item.status, "summary": item.json.decode(), "compute_ms": item.compute_ms}

@@ -1,9 +1,7 @@
 """The store on both databases it knows: SQLite, and a real PostgreSQL."""
 
 import contextlib
-import os
 import shutil
-import socket
 import sqlite3
 import threading
 from collections.abc import Callable, Iterator
@@ -217,31 +215,6 @@ def test_a_damaged_page_of_a_server_is_said_once_it_is_met(postgres: Postgres, s
     assert server_store.damage == DAMAGED
     with pytest.raises(DamagedDatabaseError):
         server_store.ping()
-
-
-def test_a_connection_the_server_closed_is_replaced(postgres: Postgres, server_store: Store) -> None:
-    saved = save(server_store, "before", "a")
-    ended = postgres.execute("SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE datname LIKE 'test_%'")
-    assert ended
-    assert server_store.runs.load("before") == saved
-
-
-def test_a_dead_client_is_noticed_by_the_server(server_store: Store) -> None:
-    """The server frees its advisory lock in far less than the 30 s a takeover may take."""
-    with server_store.engine.connect() as connection:
-        values = {
-            name: int(connection.exec_driver_sql(f"SHOW tcp_keepalives_{name}").scalar_one())
-            for name in ("idle", "interval", "count")
-        }
-    assert 0 < values["idle"] + values["interval"] * values["count"] <= 20
-
-
-def test_a_dead_server_is_noticed_by_the_client(server_store: Store) -> None:
-    """Where it vanishes as a statement is sent, Linux would send that again for about a quarter of an hour."""
-    with server_store.engine.connect() as connection:
-        descriptor = os.dup(connection.connection.dbapi_connection.fileno())  # type: ignore[union-attr]
-        with socket.socket(fileno=descriptor) as own:
-            assert 0 < own.getsockopt(socket.IPPROTO_TCP, socket.TCP_USER_TIMEOUT) <= 20_000
 
 
 def test_sqlite_is_set_up_for_durability(migrated_sqlite: Path, tmp_path: Path) -> None:

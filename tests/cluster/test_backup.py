@@ -1,7 +1,4 @@
-"""The backup commands of docs/how-to/operations.md, run against a database in use.
-
-That a batch goes on from a copy is shown in tests/drill/test_database.py.
-"""
+"""The backup commands of docs/how-to/operations.md, run against a database in use."""
 
 import json
 import os
