@@ -6,7 +6,7 @@ from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller, undefined
 from sim_core.control.declared import scenario_field
 from sim_core.control.law import LinearLaw
-from sim_core.control.mpc_design import MpcDesign, design
+from sim_core.control.mpc_design import MpcDesign, condensed_mpc
 from sim_core.control.mpc_plan import make_plan
 from sim_core.control.plan import Plan
 from sim_core.control.qp import SOLVERS, Qps
@@ -61,7 +61,7 @@ class PredictiveController(Controller):
         """
         horizon = self.prediction_horizon, self.control_horizon, setup.force_limit, self.force_change_weight
         other = self.deflection_weight, self.force_weight
-        return {stage: design(setup.cost(self.weights(stage), *other), *horizon) for stage in setup.stages}
+        return {stage: condensed_mpc(setup.cost(self.weights(stage), *other), *horizon) for stage in setup.stages}
 
     def start(self, setup: Setup) -> None:
         """Design each stage.

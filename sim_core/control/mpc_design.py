@@ -104,7 +104,9 @@ def _move_penalty(moves: int, weight: float) -> tuple[FloatArray, FloatArray]:
 
 
 @cached
-def design(terms: CostTerms, horizon: int, moves: int, force_limit: float, force_change_weight: float) -> MpcDesign:
+def condensed_mpc(
+    terms: CostTerms, horizon: int, moves: int, force_limit: float, force_change_weight: float
+) -> MpcDesign:
     """Condense one stage's problem: interval costs, terminal cost (the stage's Riccati solution), limits.
 
     Args:

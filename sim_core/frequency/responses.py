@@ -34,7 +34,7 @@ from sim_core.road.profile import height_density
 from sim_core.scenario import Scenario
 from sim_core.simulate import on_dummy_road, prepare
 from sim_core.vehicle.half_car import OUTPUTS, STATES, half_car
-from sim_core.vehicle.plant import continuous, plant
+from sim_core.vehicle.plant import continuous_plant, discretised_plant
 
 RESPONSES = OUTPUTS
 BANDS = ((1.0, 2.0), (4.0, 8.0), (10.0, 12.0))  # body, the passengers' most sensitive range, wheels [Hz]
@@ -170,7 +170,7 @@ def _modes(poles: ComplexArray) -> tuple[Mode, ...]:
 
 def _responses(loop: SampledLoop, omega: FloatArray) -> ComplexArray:
     """Return the response of all outputs per metre of road height (frequencies, 6)."""
-    car, outputs = continuous(loop.vehicle, loop.run.actuator), half_car(loop.vehicle)
+    car, outputs = continuous_plant(loop.vehicle, loop.run.actuator), half_car(loop.vehicle)
     s, h, size = 1j * omega, loop.step, len(loop.within)
     behind = loop.run.scenario.rear_axle_offset
     velocity = s[:, None] * np.stack([np.ones_like(s), np.exp(-s * behind / loop.speed)], 1)
@@ -198,7 +198,7 @@ def _road_in_step(loop: SampledLoop, omega: FloatArray, of_road: ComplexArray) -
     """
     h = loop.step / loop.short
     turn = np.exp(1j * omega * h)[:, None]
-    within = plant(loop.vehicle, loop.run.actuator, h)
+    within = discretised_plant(loop.vehicle, loop.run.actuator, h)
     added = turn * of_road - of_road @ within.A.T
     if loop.filtered is None:
         return np.asarray(added)

@@ -18,7 +18,7 @@ from sim_core.strategies import STRATEGIES
 from sim_core.vehicle.estimator import make_estimator
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, discrete, measurement
 from sim_core.vehicle.model import Estimator
-from sim_core.vehicle.plant import plant
+from sim_core.vehicle.plant import discretised_plant
 
 ComplexArray = NDArray[np.complex128]
 
@@ -117,7 +117,7 @@ def sampled_loop(run: Run, law: LinearLaw, vehicle: Vehicle, speed: float) -> Sa
     filters = controller.actuated and scenario.estimation.kind == "kalman"
     short = run.steps.short if filters else 1
     step = run.steps.control
-    car = plant(vehicle, run.actuator, step / short)
+    car = discretised_plant(vehicle, run.actuator, step / short)
     A, B, C = car.A, car.B, np.zeros_like(car.B)
     estimator = filtered = None
     if filters:

@@ -104,7 +104,7 @@ def measurement(vehicle: Vehicle) -> Measurement:
     )
 
 
-def hold(A: FloatArray, inputs: FloatArray, step: float) -> tuple[FloatArray, FloatArray]:
+def zero_order_hold(A: FloatArray, inputs: FloatArray, step: float) -> tuple[FloatArray, FloatArray]:
     """Exact step of x' = A x + inputs·v with v held: (Φ, Γ) by the matrix exponential (Van Loan 1978).
 
     A held road *velocity* is a road height that is linear within the step, so no height is ever held.
@@ -120,5 +120,5 @@ def hold(A: FloatArray, inputs: FloatArray, step: float) -> tuple[FloatArray, Fl
 def discrete(vehicle: Vehicle, step: float) -> LinearModel:
     """Return the model over one step [s] with force, road velocities and deceleration held; exact."""
     model = half_car(vehicle)
-    A, inputs = hold(model.A, np.hstack([model.B, model.E]), step)
+    A, inputs = zero_order_hold(model.A, np.hstack([model.B, model.E]), step)
     return LinearModel(A=A, B=inputs[:, :FORCES], E=inputs[:, FORCES:], C=model.C, D=model.D, F=model.F)

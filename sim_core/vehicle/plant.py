@@ -9,7 +9,7 @@ from sim_core.arrays import FloatArray
 from sim_core.caching import cached, small_cached
 from sim_core.kernel.prepared import CAUSES, NUMBERS
 from sim_core.scenario import Actuator, Vehicle
-from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, half_car, hold
+from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, half_car, zero_order_hold
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -29,7 +29,7 @@ class Plant:
         return len(self.A)
 
 
-def continuous(vehicle: Vehicle, actuator: Actuator) -> Plant:
+def continuous_plant(vehicle: Vehicle, actuator: Actuator) -> Plant:
     """Return the plant in continuous time: ṗ = A p + B u + E w."""
     model = half_car(vehicle)
     if actuator.bandwidth is None:
@@ -43,10 +43,10 @@ def continuous(vehicle: Vehicle, actuator: Actuator) -> Plant:
 
 
 @cached
-def plant(vehicle: Vehicle, actuator: Actuator, step: float) -> Plant:
+def discretised_plant(vehicle: Vehicle, actuator: Actuator, step: float) -> Plant:
     """Return the plant over a step [s]."""
-    model = continuous(vehicle, actuator)
-    over_step, held = hold(model.A, np.hstack([model.B, model.E]), step)
+    model = continuous_plant(vehicle, actuator)
+    over_step, held = zero_order_hold(model.A, np.hstack([model.B, model.E]), step)
     return Plant(A=over_step, B=held[:, :FORCES], E=held[:, FORCES:])
 
 
@@ -57,7 +57,7 @@ def transition_matrix(vehicle: Vehicle, actuator: Actuator, step: float) -> Floa
     Causes are both road velocities, braking, the state with the forces, and both commands, which are the forces where
     actuators do not lag.
     """
-    exact = plant(vehicle, actuator, step)
+    exact = discretised_plant(vehicle, actuator, step)
     n, own = exact.size, np.zeros((CAUSES, NUMBERS))
     own[:DISTURBANCES, :n] = exact.E.T
     states, commands = own[DISTURBANCES : DISTURBANCES + NUMBERS], own[-FORCES:]
