@@ -3,7 +3,7 @@ import { MantineProvider } from "@mantine/core";
 import { act, cleanup, fireEvent, render } from "@testing-library/react";
 import { afterEach, describe, expect, it, vi } from "vitest";
 import { useAction } from "../lab/actions";
-import { isPressed, Keyboard } from "./Keyboard";
+import { isPressed, Keyboard } from "./Shell";
 
 vi.mock("./Palette", () => new Promise(() => undefined)); // its code never comes
 

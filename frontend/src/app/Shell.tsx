@@ -1,12 +1,10 @@
 /** What stays from page to page: name, navigation, the colour scheme, and what is wrong with the connection. */
 
-import { Link, Outlet, useRouter } from "@tanstack/react-router";
-import { type ComponentProps, useMemo, useState, lazy, useCallback, useEffect, useEffectEvent } from "react";
-import { Box, Button, Text } from "@mantine/core";
-import { useDocumentTitle } from "@mantine/hooks";
-import { useLabContext } from "../lab/context";
-import { Keyboard } from "./Keyboard";
-import { Nav } from "./Nav";
+import { Link, Outlet, useRouter, linkOptions, useNavigate, useRouterState, useSearch } from "@tanstack/react-router";
+import { type ComponentProps, useMemo, useState, lazy, useCallback, useEffect, useEffectEvent, useRef } from "react";
+import { Box, Button, Text, Group } from "@mantine/core";
+import { useDocumentTitle, useWindowEvent } from "@mantine/hooks";
+import { useLabContext, useLab } from "../lab/context";
 import { SlotsContext, Blank } from "../ui/Page";
 import classes from "../ui/shell.module.css";
 import ui from "../ui/ui.module.css";
@@ -17,6 +15,10 @@ import { firstCurves } from "../lib/firstCurves";
 import { useQueryClient } from "@tanstack/react-query";
 import { Icon } from "../ui/icons";
 import { ApiProblem, isTransient, messageOf } from "../api/problem";
+import { MANUAL } from "../ui/manual";
+import { type Address } from "../lab/address";
+import { usePaletteEntries, ACTION_IDS, ACTIONS, canRun, isKeyOn, runAction, useAction } from "../lab/actions";
+import { labLink } from "../lab/labAddress";
 
 /** Not by an address with a fragment: the address belongs to what is shown. */
 function focusMain() {
@@ -201,4 +203,189 @@ function Reconnecting({ trouble, wait: requestedWait }: Connection) {
       </Button>
     </div>
   );
+}
+
+/** Navigation between the pages: links where there is room, else a menu under the name of the page shown. */
+const PagesMenu = lazy(async () => ({ default: (await firstCurves.then(() => import("./headerParts"))).PagesMenu }));
+
+/** The run whose scenario other pages start with: the page's own, else the lab's, which is known before its curves are. */
+function useRun(lab: Address): { readonly run?: string } {
+  const { run } = useSearch({ strict: false });
+  const exists = useLab((state) => state.failure?.kind !== "notFound");
+  const shown = useLab((state) => state.shown?.runId ?? null);
+  const id = run ?? (exists ? lab.runId : null) ?? shown;
+  return id === null ? {} : { run: id };
+}
+
+const HOME = { display: "flex", alignItems: "center", gap: "0.5rem", color: "inherit", textDecoration: "none" };
+
+/** What people may look for a page by. */
+const SEARCH_WORDS: Readonly<Record<string, readonly string[]>> = {
+  paper: ["reproduction", "claims", "tables"],
+  sweeps: ["batch", "grid", "parameter", "study"],
+  tuner: ["optimise", "optimize", "weights", "comfort"],
+  robustness: ["monte", "carlo", "uncertainty", "tolerance"],
+  ecu: ["hardware", "hil", "microcontroller"],
+};
+
+function Nav() {
+  const lab = useSelector(useLabContext().labAddress);
+  const search = useRun(lab);
+  const entries = [
+    { section: "lab", label: "Lab", link: labLink(lab) },
+    { section: "paper", label: "Paper", link: linkOptions({ to: "/paper" }) },
+    { section: "sweeps", label: "Sweeps", link: linkOptions({ to: "/sweeps" }) },
+    { section: "tuner", label: "Tuner", link: linkOptions({ to: "/tuner", search }) },
+    { section: "robustness", label: "Robustness", link: linkOptions({ to: "/robustness", search }) },
+    { section: "ecu", label: "ECU", link: linkOptions({ to: "/ecu", search }) },
+  ];
+  const path = useRouterState({ select: ({ matches }) => matches[1]?.routeId.split("/")[1] });
+  const section = path === "b" ? "sweeps" : path;
+  // The lab has more in its header.
+  const width = section === "lab" ? "lg" : "sm";
+  const navigate = useNavigate();
+  usePaletteEntries([
+    ...entries.map(({ section, label, link }) => ({
+      group: "Pages" as const,
+      label,
+      searchWords: SEARCH_WORDS[section],
+      run: () => void navigate(link),
+    })),
+    { group: "Pages", label: "Manual", run: () => void window.open(MANUAL, "_blank", "noopener") },
+  ]);
+  return (
+    <>
+      <Link {...labLink(lab)} style={HOME} aria-label="Ridelab, to the lab">
+        <Logo />
+        <Box component="span" mr="0.6rem" fz="lg" fw={700} lts="-0.01em" visibleFrom="sm">
+          Ridelab
+        </Box>
+      </Link>
+      <Group component="nav" gap={0} wrap="nowrap" flex="none" aria-label="Pages">
+        <Group component="ul" className={ui.list ?? ""} gap="0.1rem" wrap="nowrap" visibleFrom={width}>
+          {entries.map(({ label, link, ...entry }) => (
+            <li key={label}>
+              <Link
+                {...link}
+                className={classes.link}
+                aria-current={entry.section === section ? "page" : undefined}
+                activeProps={{}}
+              >
+                {label}
+              </Link>
+            </li>
+          ))}
+        </Group>
+        <LazyPart>
+          <PagesMenu {...{ entries, section }} hiddenFrom={width} />
+        </LazyPart>
+      </Group>
+    </>
+  );
+}
+
+function Logo() {
+  return (
+    <svg width="26" height="26" viewBox="0 0 32 32" aria-hidden style={{ flex: "none" }}>
+      <rect width="32" height="32" rx="7" fill="#0b6e6e" />
+      <path
+        d="M3 24h6c3 0 4-8 7-8s4 8 7 8h6"
+        fill="none"
+        stroke="#fff"
+        strokeWidth="2.6"
+        strokeLinecap="round"
+        strokeLinejoin="round"
+      />
+      <circle cx="16" cy="9.5" r="4" fill="none" stroke="#fff" strokeWidth="2.6" />
+    </svg>
+  );
+}
+
+/** Keys that mean actions, and when they are somebody’s typing instead; help, and the search for an action by its name. */
+const Palette = lazy(() => import("./Palette").then((module) => ({ default: module.Palette })));
+const Help = lazy(() => import("./Palette").then((module) => ({ default: module.Help })));
+
+const SEARCH = "mod+K";
+
+export function Keyboard() {
+  const [opened, setOpened] = useState<"palette" | "help" | null>(null);
+  useAction("search", () => setOpened("palette"));
+  useAction("help", () => setOpened("help"));
+  const isTyping = useTyping();
+  useWindowEvent("keydown", (event) => {
+    for (const id of ACTION_IDS) {
+      const keys = ACTIONS[id].keys?.find((each) => isPressed(event, each));
+      if (keys === undefined || !isKeyOn(keys) || !canRun(id)) continue;
+      if (opened !== null && keys !== SEARCH) return; // its code may still be on its way: what is typed is meant for it
+      if (event.defaultPrevented || belongsToFocus(event.target, keys, isTyping(event.target))) return;
+      event.preventDefault();
+      runAction(id);
+      return;
+    }
+  });
+  const close = () => setOpened(null);
+  return (
+    <LazyPart onClose={close}>
+      {opened === "palette" && <Palette onClose={close} />}
+      {opened === "help" && <Help onClose={close} />}
+    </LazyPart>
+  );
+}
+
+type Pressed = Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" | "shiftKey" | "altKey">;
+
+export function isPressed(event: Pressed, keys: string): boolean {
+  const parts = keys.split("+");
+  const key = parts.at(-1) === "Space" ? " " : (parts.at(-1) ?? "").toLowerCase();
+  // Where a sign needs Shift is the keyboard's affair.
+  const isShifted = /^[a-z ]$/.test(key) ? event.shiftKey === parts.includes("shift") : true;
+  return (
+    event.key.toLowerCase() === key &&
+    (event.ctrlKey || event.metaKey) === parts.includes("mod") &&
+    !event.altKey &&
+    isShifted
+  );
+}
+
+const NO_TEXT = ["range", "checkbox", "radio", "button", "submit", "file"];
+
+const takesText = (target: EventTarget | null): target is HTMLInputElement | HTMLTextAreaElement =>
+  target instanceof HTMLTextAreaElement || (target instanceof HTMLInputElement && !NO_TEXT.includes(target.type));
+
+/** What Space does something to by itself. */
+const takesKeys = (target: EventTarget | null) =>
+  takesText(target) ||
+  (target instanceof Element &&
+    target.closest("select, button, a, summary, [contenteditable], input:not([type=range])") !== null);
+
+/** Another window is open over the page; the form may be one itself. */
+const isApart = (target: EventTarget | null) =>
+  target instanceof Element && target.closest("[role=dialog]") !== null && target.closest("[data-scenario]") === null;
+
+/** Follows what is typed: whether an input holds text that is not a value yet. */
+function useTyping() {
+  const typed = useRef<{ readonly input: EventTarget; readonly before: string } | null>(null);
+  const end = () => {
+    typed.current = null;
+  };
+  useWindowEvent(
+    "beforeinput",
+    ({ target, inputType }) => {
+      if (inputType !== "insertLineBreak" && takesText(target) && typed.current?.input !== target)
+        typed.current = { input: target, before: target.value };
+    },
+    true,
+  );
+  useWindowEvent("keydown", ({ key }) => (key === "Enter" || key === "Escape") && end(), true);
+  useWindowEvent("focusout", end, true);
+  return (target: EventTarget | null) =>
+    takesText(target) && typed.current?.input === target && typed.current.before !== target.value;
+}
+
+/** Whether a key that stands for a command belongs to what has the focus. */
+function belongsToFocus(target: EventTarget | null, keys: string, isTyping: boolean): boolean {
+  if (keys === SEARCH) return false;
+  if (isApart(target)) return true;
+  if (keys.startsWith("mod+")) return isTyping;
+  return keys === "Space" ? takesKeys(target) : takesText(target) || target instanceof HTMLSelectElement;
 }

@@ -5,14 +5,14 @@ import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 import "./mantine.css";
 import { api } from "../api/client";
-import { loadPinned, ownPins } from "../features/compare/useCompared";
+import { ownPins } from "../features/compare/useCompared";
 import "./global.css";
 import { galleryEntry, ownLibrary } from "../scenario/library";
 import { createAppRouter } from "./router";
 import { LabContextProvider } from "../lab/context";
 import { createLab } from "../lab/lab";
 import { createQueryClient } from "../server/queries";
-import { restoreBefore, restoreTab, storeTab, storeSession, restoreSession } from "../lab/session";
+import { storeSession, restoreSession } from "../lab/session";
 import { watchPrinting } from "../lib/printing";
 import { createLabAddress, startsAnew } from "../lab/labAddress";
 
@@ -74,11 +74,8 @@ galleryEntry.set(named === "" ? null : named);
 // An address that names a result opens that, and nothing is behind it.
 const restored = startsAnew(pages) ? restoreSession() : null;
 const labAddress = createLabAddress(pages, restored?.view);
-const tab = restoreTab({ runId: labAddress.get().runId, scenario: restored?.lab.history?.present ?? null });
-const lab = createLab({ api, labAddress, queries }, { ...restored?.lab, ...(tab && { history: tab.history }) });
-if (tab) restoreBefore(lab, tab, (run) => loadPinned(run, null, queries, new AbortController().signal));
+const lab = createLab({ api, labAddress, queries }, { ...restored?.lab });
 storeSession(lab, labAddress);
-storeTab(lab);
 labAddress.onNavigate(lab.navigate);
 watchPrinting();
 const readOwn = () => {

@@ -2,7 +2,7 @@
 
 import { Button, Group, Progress, Text, Box, Skeleton, Menu } from "@mantine/core";
 import { type ReactNode, useState } from "react";
-import { count, formatWhole } from "../units/format";
+import { count, formatWhole, formatDuration, formatMinute } from "../units/format";
 import { isFinal, useJobCall, type Common, type JobStatus, type JobKind, type JobPath } from "./useJob";
 import { compact } from "../ui/IconButton";
 import { Icon } from "../ui/icons";
@@ -13,7 +13,6 @@ import { useInfiniteQuery, useMutation, useQueryClient } from "@tanstack/react-q
 import { Link } from "@tanstack/react-router";
 import { MoreMenu, NameForm } from "../ui/ListEntry";
 import type { Batch, Tuning } from "../api/types";
-import { formatDuration, formatMinute } from "../units/dates";
 
 interface Props<Item extends Common, Job extends Item> extends Pick<JobStatus<Job>, "connected"> {
   readonly kind: JobKind<Item, Job>;

@@ -3,7 +3,6 @@
 import { createRequests } from "./requests";
 import { type LabForm, type Services, hasInvalidInput, type Lab, type LabState } from "./labState";
 import type { Scenario, StrategyId } from "../api/types";
-import { sameValue } from "../scenario/path";
 import { begin, record, redo, undo, type History } from "./history";
 import { NO_ERRORS } from "./problems";
 import { answers } from "./result";
@@ -118,10 +117,6 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
       if (store.get().shared) return;
       patch({ roads });
       submit("push");
-    },
-    compareWith: (scenario, result) => {
-      const { latestResult, previousResult } = store.get();
-      if (previousResult === null && sameValue(latestResult?.scenario, scenario)) patch({ previousResult: result });
     },
     resume: requests.resume,
   };

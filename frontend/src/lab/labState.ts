@@ -69,8 +69,6 @@ export interface Lab extends Pick<Atom<LabState>, "get" | "subscribe"> {
   readonly undo: () => void;
   readonly redo: () => void;
   readonly setStrategies: (strategies: readonly StrategyId[]) => void;
-  /** Takes a result for the state before the last edit where there is none, and the shown result is still of that scenario. */
-  readonly compareWith: (scenario: Scenario, before: Result) => void;
   /** A controller of one's own has changed: what is shown is computed anew, and compared with what was. */
   readonly runAgain: () => void;
   readonly setRoads: (roads: number) => void;

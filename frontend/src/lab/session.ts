@@ -4,11 +4,11 @@ import type { Scenario, StrategyId } from "../api/types";
 import { sameValue } from "../scenario/path";
 import { SCHEMA_VERSION, upgraded } from "../scenario/versions";
 import { parseSearch, readLabSearch, searchOf, stringifySearch, viewOf, type View } from "./address";
-import { begin, type History } from "./history";
+import { begin } from "./history";
 import type { Lab, LabState } from "./labState";
 import { hasErrors } from "./problems";
 import type { LabAddress } from "./labAddress";
-import { roadsOf, type Result } from "./result";
+import { roadsOf } from "./result";
 import { readStored, writeStored, isLike } from "../lib/storage";
 
 const NAME = "ridelab-lab";
@@ -68,68 +68,4 @@ export function storeSession(lab: Pick<Lab, "get" | "subscribe">, router: Pick<L
   };
   lab.subscribe(write);
   router.subscribe(write);
-}
-
-const TAB = "ridelab-tab";
-/** Steps in either direction: a scenario takes some 4 kB, and a browser keeps 5 MB. */
-const MOST_STEPS = 50;
-
-/** What a tab has beside its address when it is loaded again: undo and redo, and the state before the last edit. */
-interface StoredTab {
-  /** The run that was shown. */
-  readonly run: string;
-  /** The run before the last edit. */
-  readonly before: string | null;
-  readonly history: History<Scenario>;
-}
-
-const TEMPLATE: StoredTab = { run: "", before: null, history: { past: [{}], present: {}, future: [{}] } };
-
-/** What was stored of this tab, where it is of the run at its address, or of the scenario (then its present) that the lab opens with; else `null`. */
-export function restoreTab(opens: {
-  readonly runId: string | null;
-  readonly scenario: Scenario | null;
-}): StoredTab | null {
-  const tab = readStored(TAB, "sessionStorage");
-  if (!isLike(TEMPLATE, tab)) return null;
-  const { runId, scenario } = opens;
-  if (runId !== null) return runId === tab.run ? tab : null;
-  return scenario !== null && sameValue(scenario, tab.history.present)
-    ? { ...tab, history: { ...tab.history, present: scenario } }
-    : null;
-}
-
-export function storeTab(lab: Pick<Lab, "get" | "subscribe">): void {
-  let written: readonly unknown[] = [];
-  lab.subscribe(() => {
-    const { latestResult, previousResult, history, shared } = lab.get();
-    const parts = [latestResult, previousResult, history];
-    if (shared || !latestResult?.runId || !history || parts.every((part, index) => part === written[index])) return;
-    written = parts;
-    const { past, present, future } = history;
-    const tab: StoredTab = {
-      run: latestResult.runId,
-      before: previousResult?.runId ?? null,
-      history: { past: past.slice(-MOST_STEPS), present, future: future.slice(0, MOST_STEPS) },
-    };
-    writeStored(TAB, tab, "sessionStorage");
-  });
-}
-
-/** Asks for the run before the last edit, once the run that was shown is there again. */
-export function restoreBefore(
-  lab: Pick<Lab, "get" | "subscribe" | "compareWith">,
-  { before }: StoredTab,
-  load: (run: string) => Promise<Result>,
-): void {
-  if (before === null) return;
-  const subscription = lab.subscribe(() => {
-    const { latestResult } = lab.get();
-    if (!latestResult) return;
-    subscription.unsubscribe();
-    load(before).then(
-      (shown) => lab.compareWith(latestResult.scenario, shown),
-      () => undefined, // no longer stored, or no server: then there is none to compare with
-    );
-  });
 }

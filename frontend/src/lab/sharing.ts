@@ -1,7 +1,6 @@
 /** A link's view and the page's: how it is looked at, there and back. */
 
-import type { Link, SharedView } from "../api/types";
-import type { StrategyId } from "../api/types";
+import { type Link, type SharedView, type StrategyId } from "../api/types";
 import type { View, ViewZoom } from "./address";
 import { pinReference } from "./compare";
 import type { ResultView } from "./resultView";

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { pairedChangeOf, studentQuantile } from "./intervals";
+import { pairedChangeOf, studentQuantile } from "../pages/sweep/map";
 
 it("Student's quantiles are those of the tables", () => {
   const tables = { 1: 12.706, 2: 4.303, 3: 3.182, 4: 2.776, 9: 2.262, 19: 2.093, 49: 2.01, 1000: 1.962 };

@@ -1,5 +1,7 @@
 /** One restartable timeout. */
 
+import { useDebouncedCallback } from "@mantine/hooks";
+
 export type Timer = ReturnType<typeof createTimer>;
 
 export function createTimer(delayMs: number, action: () => void) {
@@ -20,3 +22,10 @@ export function createTimer(delayMs: number, action: () => void) {
     stop,
   };
 }
+
+/** The end of changes that no release of a pointer ends. */
+const KEY_PAUSE_MS = 350;
+
+/** Changes made with keys or by assistive technology: a pause ends them, and so does leaving the control. */
+export const useReleaseAfterKeys = (release: () => void) =>
+  useDebouncedCallback(release, { delay: KEY_PAUSE_MS, flushOnUnmount: true });

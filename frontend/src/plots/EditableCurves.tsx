@@ -3,7 +3,7 @@
 import { useElementSize } from "@mantine/hooks";
 import type { KeyboardEvent, PointerEvent } from "react";
 import { stepBelow } from "../lib/steps";
-import { useReleaseAfterKeys } from "../lib/useReleaseAfterKeys";
+import { useReleaseAfterKeys } from "../lib/timer";
 import { formatExact } from "../units/format";
 import classes from "./editableCurves.module.css";
 

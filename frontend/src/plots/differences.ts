@@ -5,8 +5,7 @@ import type { SeriesByStrategy, StrategyId, Summary } from "../api/types";
 import type { Axis, Zoom } from "../lab/address";
 import { axisKey, type PartShown, type ResultView } from "../lab/resultView";
 import type { Curves, FigureInput } from "./curves";
-import type { Numbers } from "../lib/samples";
-import { covering } from "../lib/samples";
+import { type Numbers, covering } from "../lib/samples";
 
 const COORDINATES = ["time", "position"];
 

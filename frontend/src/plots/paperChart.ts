@@ -2,10 +2,9 @@
 
 import { decodeArray } from "../api/decode";
 import type { ChartFigure } from "./Chart";
-import { cell, comment, printed } from "./figureCsv";
+import { cell, comment, printed, type PaperFigure, type PaperSize } from "./saved";
 import { POINT, sheet } from "./paperFigure";
 import type { AnyTrace, GridTrace, PlotElement, PlotLayout } from "./plotly";
-import type { PaperFigure, PaperSize } from "./saved";
 
 export interface ChartOnPaper {
   /** In the colours of light paper. */

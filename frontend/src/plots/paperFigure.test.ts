@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Strategy } from "../api/types";
-import { cell, figureCsv } from "./figureCsv";
+import { cell, figureCsv } from "./saved";
 import { paperFigure, sized } from "./paperFigure";
 import type { Curves } from "./curves";
 import { loadPanel } from "./template.fixture";

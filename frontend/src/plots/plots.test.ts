@@ -1,11 +1,10 @@
 import { describe, expect, it } from "vitest";
 import { maximumOf, minimumOf } from "../api/decode";
 import type { Summary } from "../api/types";
-import { drawOnCanvas } from "./Surface";
+import { drawOnCanvas, keepsRange } from "./Surface";
 import { buildFigure, MARGIN, ticksFor } from "./figure";
 import type { FigureInput } from "./curves";
 import { loadPlotly, plotlyState, type Plotly } from "./plotly";
-import { keepsRange } from "./Surface";
 import { stageShapes } from "./shapes";
 import { loadPanel } from "./template.fixture";
 import CASE from "../../../tests/data/stage_shapes.json";

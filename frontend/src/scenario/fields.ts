@@ -18,26 +18,6 @@ export interface SweepField {
 /** A greater one is another road, not more of anything. */
 export const SEED = "road.seed";
 
-/** Fields that are often swept as one: their title, and the fields, of which the first is swept. */
-export const TOGETHER = [
-  { title: "Speed at the bump", names: ["speed.initial_speed_kmh", "speed.target_speed_kmh"] },
-] as const;
-
-/** Those that can take a swept field's value: numbers in the same unit, of the same part of the scenario. */
-export function linkable(
-  { field: { name, leaf } }: { readonly field: SweepField },
-  free: readonly SweepField[],
-): readonly SweepField[] {
-  const part = name.slice(0, name.lastIndexOf("."));
-  return free.filter(
-    (other) =>
-      leaf.kind === "number" &&
-      other.leaf.kind === "number" &&
-      other.leaf.unit === leaf.unit &&
-      other.name.startsWith(`${part}.`),
-  );
-}
-
 export const dotted = (pointer: Pointer) => pointer.slice(1).replace(/\//g, ".");
 
 export const pointerOf = (name: string): Pointer => `/${name.replace(/\./g, "/")}`;

@@ -1,8 +1,9 @@
 /** A line that says something: a note, a fault, the problems of a form. */
 
-import { Alert, Text, type AlertProps, type TextProps } from "@mantine/core";
-import type { ComponentProps, ReactNode } from "react";
+import { Alert, Text, type AlertProps, type TextProps, Group } from "@mantine/core";
+import { type ComponentProps, type ReactNode } from "react";
 import ui from "./ui.module.css";
+import { Icon } from "./icons";
 
 export function Fault({
   className = "",
@@ -22,4 +23,18 @@ export function Problems({ messages, ...props }: AlertProps & { readonly message
       {message}
     </Alert>
   ));
+}
+
+/** Something to beware of, with its sign. */
+interface Props {
+  readonly text: string;
+}
+
+export function Caution({ text }: Props) {
+  return (
+    <Group gap="0.3rem" wrap="nowrap" align="start" c="var(--worse)" data-testid="caution">
+      <Icon name="AlertTriangle" size={14} style={{ flex: "none", marginTop: 2 }} />
+      <Text size="xs">{text}</Text>
+    </Group>
+  );
 }

@@ -6,7 +6,7 @@ import { referenceTo, whyNotCompared, type Reference } from "../../lab/compare";
 import { useAction, useActionButton } from "../../lab/actions";
 import { useLabContext, useLab, useEdit, useFromScenario, useReadOnly } from "../../lab/context";
 import { useForm } from "../../server/useCatalogues";
-import type { ResultView } from "../../lab/resultView";
+import { type ResultView } from "../../lab/resultView";
 import { Icon } from "../../ui/icons";
 import { defaultName, MOST_PINS } from "../../lab/pins";
 import { useSelector } from "@tanstack/react-store";
@@ -22,7 +22,6 @@ import {
 } from "./useCompared";
 import { getAt, setAt } from "../../scenario/path";
 import { findMember, optionOf, optionTitle } from "../../scenario/schema";
-import { possibleBaselines } from "./possibleBaselines";
 import { useQueryClient } from "@tanstack/react-query";
 import { useOpenInLab } from "../../ui/openInLab";
 import { LONGEST_NAME } from "../../scenario/library";
@@ -30,6 +29,8 @@ import { BEFORE_WIDTH, PIN_WIDTH, pinDash } from "../../plots/curves";
 import { LineKey } from "../../ui/StrategyKey";
 import ui from "../../ui/ui.module.css";
 import { Choice } from "../../ui/Entry";
+import { type Strategy } from "../../api/types";
+import { isRecording } from "../../lib/recording";
 
 const STRATEGY = "strategy:";
 const BESIDE = { gap: "0.4rem", wrap: "nowrap", fz: "xs", c: "dimmed" } as const;
@@ -278,4 +279,24 @@ function PinMenu({ pin, index }: Props) {
       </Menu.Dropdown>
     </Menu>
   );
+}
+
+/** The strategies that changes can refer to: those that are shown, and others of the result, which say that they are not. */
+export function possibleBaselines({
+  catalogue,
+  ids,
+  baseline,
+  summaries,
+  shown: { source },
+}: Pick<ResultView, "catalogue" | "ids" | "baseline" | "summaries" | "shown">): readonly Pick<
+  Strategy,
+  "id" | "label"
+>[] {
+  const isToCome = (id: string) => source === "live" && isRecording(id) && !(id in summaries);
+  return catalogue
+    .filter(({ id }) => id in summaries || id === baseline)
+    .map(({ id, label }) => ({
+      id,
+      label: ids.includes(id) || isToCome(id) ? label : `${label} (${id in summaries ? "hidden" : "failed"})`,
+    }));
 }

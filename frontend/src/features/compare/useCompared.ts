@@ -70,7 +70,7 @@ export function missingText(error: Error | null): string {
 }
 
 /** The pinned run with its time histories. */
-export async function loadPinned(
+async function loadPinned(
   id: string,
   roads: number | null,
   queries: QueryClient,

@@ -14,12 +14,11 @@ import { completed, leavesOf } from "../../scenario/differences";
 import { parseTyped, typedText, valueText } from "../../scenario/limits";
 import { getAt, sameValue, setAt, type Pointer } from "../../scenario/path";
 import { findMember, type Group, type NumberField } from "../../scenario/schema";
-import { Caution } from "../../ui/Caution";
+import { Caution, Fault } from "../../ui/Messages";
 import { DataTable } from "../../ui/DataTable";
 import { Entry } from "../../ui/Entry";
 import { formatExact } from "../../units/format";
 import { submits } from "../../ui/ListEntry";
-import { Fault } from "../../ui/Messages";
 import { CharacteristicsTable } from "./CharacteristicsTable";
 import classes from "./editor.module.css";
 

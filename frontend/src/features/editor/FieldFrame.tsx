@@ -11,7 +11,7 @@ import { setAt, sameValue, type Pointer } from "../../scenario/path";
 import { type Field, optionOf, optionTitle, optionValue, type ChoiceField } from "../../scenario/schema";
 import { Choice } from "../../ui/Entry";
 import type { JsonValue, Scenario } from "../../api/types";
-import { Caution } from "../../ui/Caution";
+import { Caution } from "../../ui/Messages";
 import { dotted } from "../../scenario/fields";
 import type { InvalidInput } from "../../lab/labState";
 import { useForm, useStrategies } from "../../server/useCatalogues";

@@ -17,12 +17,30 @@ import {
   type LeafState,
 } from "./FieldFrame";
 import { NumberFieldRow, NumberEntry, NumberSlider } from "./NumberFieldRow";
-import { RoadProfileRow } from "./RoadProfileRow";
-import type { ChoiceField, Member, NumberField, VectorField, DataField } from "../../scenario/schema";
-import { useFromScenario, useLab } from "../../lab/context";
-import { formatInput } from "../../units/format";
+import {
+  type ChoiceField,
+  type Member,
+  type NumberField,
+  type VectorField,
+  type DataField,
+  type TextField,
+} from "../../scenario/schema";
+import { useFromScenario, useLab, useEdit } from "../../lab/context";
+import { formatInput, formatNumber } from "../../units/format";
 import classes from "./editor.module.css";
 import { isChanged } from "../../scenario/differences";
+import { useQuery } from "@tanstack/react-query";
+import { address } from "../../api/http";
+import { useOpenItem } from "../library/open";
+import { OpenFiles } from "../library/OpenFiles";
+import { ProfileSketch } from "../library/ProfileSketch";
+import { useItems } from "../../scenario/library";
+import { roadQuery } from "../../server/queries";
+import { getAt, setAt } from "../../scenario/path";
+import { onBump } from "../../scenario/withItem";
+import { type MeasuredRoad } from "../../api/types";
+import { Caution } from "../../ui/Messages";
+import { Choice } from "../../ui/Entry";
 
 const [ROUGHNESS, FUZZY] = ["/road/roughness", "/fuzzy/"];
 
@@ -242,4 +260,130 @@ function MatrixCell({ field, rowTitle }: { readonly field: NumberField; readonly
       <NumberSlider field={field} leaf={leaf} label={label} />
     </div>
   );
+}
+
+/** A measured road in place of a made one: of the library, or opened from a file; drawn, with the bump that counts; and saved as a file. */
+const NONE = { value: "", label: "None" };
+const FORMATS = [
+  { format: "csv", name: "CSV" },
+  { format: "crg", name: "OpenCRG" },
+] as const;
+
+function RoadProfileRow({ field }: { readonly field: TextField }) {
+  const leaf = useLeaf(field);
+  const edit = useEdit();
+  const openItem = useOpenItem();
+  const own = useItems("road");
+  const id = typeof leaf.value === "string" ? leaf.value : "";
+  const road = useQuery(roadQuery(id)).data;
+  const bumps = road?.bumps ?? [];
+  const labels = bumps.map(
+    ({ start, width, height }) => `${(1000 * height).toFixed(0)} mm at ${start} m over ${width} m`,
+  );
+  const place = useFromScenario((scenario) => getAt(scenario, "/road/bump/start"));
+  const counting = bumps.findIndex(({ start }) => Math.max(1, start) === place);
+  const saved = own.flatMap(({ name, value }) =>
+    typeof value.id === "string" ? [{ value: value.id, label: name }] : [],
+  );
+  const name = `profile-${field.pointer}`;
+
+  const choose = (value: string) => {
+    const item = own.find((each) => each.value.id === value);
+    if (item) openItem(item);
+    else if (value === "") edit.commit(setAt(edit.newest(), field.pointer, null));
+  };
+
+  return (
+    <FieldFrame
+      id={name}
+      {...{ field, leaf }}
+      paperText="none"
+      aside={
+        <>
+          {road &&
+            FORMATS.map(({ format, name: called }) => (
+              <Button
+                key={format}
+                component="a"
+                size="compact-xs"
+                href={address("/roads/{id}", { path: { id }, query: { format } })}
+                download={`ridelab-road-${id}.${format}`}
+              >
+                Save {called}
+              </Button>
+            ))}
+          {!leaf.readOnly && <OpenFiles name="Road file">Open file</OpenFiles>}
+        </>
+      }
+    >
+      {(own.length > 0 || id !== "") && (
+        <Choice
+          id={name}
+          value={id}
+          disabled={leaf.readOnly}
+          data={[
+            NONE,
+            ...(id === "" || saved.some(({ value }) => value === id)
+              ? []
+              : [{ value: id, label: "A measured road, not in the library" }]),
+            ...(saved.length > 0 ? [{ group: "Your measured roads", items: saved }] : []),
+          ]}
+          onPick={choose}
+        />
+      )}
+      {road && (
+        <>
+          <ProfileSketch
+            label="The road that is driven"
+            distance={road.distance}
+            tracks={[road.height]}
+            marks={bumps.map((bump, index) => ({ ...bump, counts: index === counting }))}
+          />
+          <Text size="xs" mt={4} c="dimmed">
+            {road.length} m measured, in place of roughness and seed.{" "}
+            {labels.length > 0 ? `Bumps in it: ${labels.join(", ")}.` : "No bump was found in it."}
+          </Text>
+          {road.cautions.map(({ kind, text }) => (
+            <Caution key={kind} text={text} />
+          ))}
+          {bumps.length > 1 && (
+            <Choice
+              label="Bump that counts"
+              description="The car brakes for it, and the stages and windows go by it."
+              value={counting}
+              disabled={leaf.readOnly}
+              data={[
+                ...(counting < 0 ? [{ value: "-1", label: "None of them" }] : []),
+                ...labels.map((label, index) => ({ value: String(index), label })),
+              ]}
+              onPick={(value) => {
+                const bump = bumps[Number(value)];
+                if (bump) edit.commit(onBump(edit.newest(), road.length, bump));
+              }}
+            />
+          )}
+          {indicesText(road) !== null && (
+            <Text size="xs" mt={4} c="dimmed">
+              {indicesText(road)}
+            </Text>
+          )}
+        </>
+      )}
+    </FieldFrame>
+  );
+}
+
+type Analysis = Pick<MeasuredRoad, "iri" | "iso_class" | "roughness" | "waviness">;
+
+const range = ({ low, high }: { readonly low: number; readonly high: number }, scale = 1) =>
+  `${formatNumber(scale * low)} to ${formatNumber(scale * high)}`;
+
+/** `null` where nothing is known of it. */
+function indicesText({ iri, iso_class, roughness, waviness }: Analysis): string | null {
+  if (!iri) return null;
+  const [left, right] = iri.tracks.map((each) => formatNumber(each));
+  const index = `IRI ${formatNumber(iri.mean)} m/km${right === undefined ? "" : ` (left ${left}, right ${right})`}.`;
+  if (!iso_class || !roughness || !waviness) return index;
+  const rough = `${formatNumber(1e6 * roughness.value)} (${range(roughness, 1e6)}) × 10⁻⁶ m³`;
+  return `${index} ISO 8608 class ${iso_class}: roughness ${rough}, waviness ${formatNumber(waviness.value)} (${range(waviness)}); 95 % intervals in brackets.`;
 }

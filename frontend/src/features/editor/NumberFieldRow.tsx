@@ -13,7 +13,7 @@ import {
   sliderScale,
 } from "../../scenario/limits";
 import type { NumberField } from "../../scenario/schema";
-import { useReleaseAfterKeys } from "../../lib/useReleaseAfterKeys";
+import { useReleaseAfterKeys } from "../../lib/timer";
 import { formatWithUnit } from "../../units/format";
 import { Entry } from "../../ui/Entry";
 import classes from "./editor.module.css";

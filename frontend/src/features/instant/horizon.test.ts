@@ -1,8 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { InstantAnswer } from "../../api/types";
 import { PALETTES } from "../../plots/palettes";
-import { horizonFigures } from "./horizon";
-import { limitName } from "./InstantPanel";
+import { horizonFigures, limitName } from "./InstantPanel";
 
 const LIMIT = { unit: "N", distance: 0, multiplier: 0, multipliers: [], values: [], force_without: null };
 const PLANNED: InstantAnswer = {

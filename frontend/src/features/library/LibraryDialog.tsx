@@ -25,12 +25,11 @@ import { Template } from "./Template";
 import { changedFields, changesText, completed } from "../../scenario/differences";
 import { sameValue } from "../../scenario/path";
 import { useScenario, useView } from "../../lab/context";
-import { formatMinute } from "../../units/dates";
+import { formatMinute, count } from "../../units/format";
 import { Fault } from "../../ui/Messages";
 import { vehiclesQuery } from "../../server/queries";
 import { submits, MoreMenu, NameForm } from "../../ui/ListEntry";
 import { requirementsIn, requirementsText } from "../../lab/requirements";
-import { count } from "../../units/format";
 
 /** What there is for everybody, and what it is or where it comes from. */
 type Provided = Content & { readonly id: string; readonly label: string; readonly description: string };

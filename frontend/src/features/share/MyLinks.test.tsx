@@ -5,7 +5,7 @@ import { cleanup, render, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, expect, it, vi } from "vitest";
 import { createQueryClient } from "../../server/queries";
-import { MyLinks } from "./MyLinks";
+import { MyLinks } from "./ShareLink";
 
 afterEach(() => {
   cleanup();

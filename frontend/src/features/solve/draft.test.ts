@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Metric } from "../../server/metrics";
 import type { NumberField } from "../../scenario/schema";
-import { otherField, readDraft, type SolveDraft, translateUnits } from "./draft";
+import { otherField, readDraft, type SolveDraft, translateUnits } from "./SolveDialog";
 
 const FIELD = {
   kind: "number",

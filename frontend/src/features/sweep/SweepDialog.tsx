@@ -4,9 +4,8 @@ import { Button, Group, Modal, SegmentedControl, Stack, Text } from "@mantine/co
 import { useMediaQuery } from "@mantine/hooks";
 import { useMemo } from "react";
 import type { Batch } from "../../api/types";
-import { SweepList } from "./SweepState";
 import { draftField, restoreSweep, type FieldDraft, type Method, type SweepDraft } from "./draft";
-import { linkable, sweepFields, TOGETHER, type SweepField } from "../../scenario/fields";
+import { sweepFields, type SweepField } from "../../scenario/fields";
 import { amountOf, CubeEntries, notesOf, StrategyChoice, useSweep, SweptFieldRow } from "./sweepForm";
 import { useLab, useScenario, useView } from "../../lab/context";
 import { requiredOfThese } from "../../lab/requirements";
@@ -57,9 +56,7 @@ export function SweepDialog({ batch, onClose }: Props) {
     restore: (stored) => restoreSweep(stored, fields),
   });
   const { draft, patch } = form;
-  const free = fields.filter(
-    (field) => !draft.fields.some((each) => each.field === field || each.linked.includes(field)),
-  );
+  const free = fields.filter((field) => !draft.fields.some((each) => each.field === field));
   const submission = useSweep(draft, scenario, form.forget);
   const { errors, general } = submission;
   const held = requiredOfThese(useView().requirements, draft.strategies, "").requirements ?? [];
@@ -89,7 +86,6 @@ export function SweepDialog({ batch, onClose }: Props) {
             onChange={(change) =>
               patch({ fields: draft.fields.map((other) => (other === each ? { ...each, ...change } : other)) })
             }
-            linkable={linkable(each, free)}
             onRemove={() => patch({ fields: draft.fields.filter(({ field }) => field !== each.field) })}
           />
         ))}
@@ -103,10 +99,6 @@ export function SweepDialog({ batch, onClose }: Props) {
       {draft.method === "hypercube" && <CubeEntries {...{ draft, errors }} w={120} onChange={patch} />}
       <StrategyChoice {...{ draft, errors }} onChange={patch} />
       <Problems messages={general} />
-      <details className={ui.more}>
-        <summary>Earlier sweeps</summary>
-        <SweepList />
-      </details>
       <StartFoot
         {...{ submission, draft: form }}
         amount={amountOf(draft.strategies.length)}
@@ -133,12 +125,6 @@ interface FieldPickerProps {
 /** Finds a field of the scenario by its title or its dotted name. */
 function FieldPicker({ fields, numbersOnly, error, onPick }: FieldPickerProps) {
   const offered = fields.filter(({ leaf }) => !numbersOnly || leaf.kind === "number");
-  const together = TOGETHER.flatMap(({ title, names }) => {
-    const [first, ...linked] = names.flatMap((name) => offered.find((field) => field.name === name) ?? []);
-    if (!first || linked.length < names.length - 1) return [];
-    const label = `${title}: ${[first, ...linked].map((field) => field.title.toLowerCase()).join(" = ")}`;
-    return [{ title, label, draft: { ...draftField(first), linked } }];
-  });
   return (
     <Finder
       label="Add a field"
@@ -146,27 +132,16 @@ function FieldPicker({ fields, numbersOnly, error, onPick }: FieldPickerProps) {
       error={error}
       nothingFoundMessage="No field of that name"
       // The label is what is searched: it holds the section and both names.
-      data={[
-        {
-          group: "Together",
-          items: together.map(({ title, label }) => ({ value: title, label })),
-        },
-        ...grouped(
-          offered,
-          ({ section }) => section,
-          ({ name, title, section }) => ({ value: name, label: `${title} ${name} ${section}` }),
-        ),
-      ].filter(({ items }) => items.length > 0)}
+      data={grouped(
+        offered,
+        ({ section }) => section,
+        ({ name, title, section }) => ({ value: name, label: `${title} ${name} ${section}` }),
+      )}
       renderOption={({ option }) => {
         const field = offered.find(({ name }) => name === option.value);
         return field ? <Option field={field} /> : option.label;
       }}
-      onPick={(name) =>
-        onPick([
-          ...offered.filter((field) => field.name === name).map(draftField),
-          ...together.filter(({ title }) => title === name).map(({ draft }) => draft),
-        ])
-      }
+      onPick={(name) => onPick(offered.filter((field) => field.name === name).map(draftField))}
     />
   );
 }

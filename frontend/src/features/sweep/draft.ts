@@ -19,8 +19,6 @@ export interface FieldDraft {
   readonly count: string;
   readonly list: string;
   readonly options: readonly string[];
-  /** Further fields that take the same value. */
-  readonly linked: readonly SweepField[];
 }
 
 export interface SweepDraft {
@@ -45,14 +43,13 @@ export function draftField(field: SweepField): FieldDraft {
     count: String(leaf.kind === "number" && leaf.integer ? Math.min(DEFAULT_COUNT, high - low + 1) : DEFAULT_COUNT),
     list: "",
     options: leaf.kind === "choice" ? leaf.options : [],
-    linked: [],
   };
 }
 
 /** A stored draft, over the form's fields of today. */
 export function restoreSweep(stored: unknown, fields: readonly SweepField[]): SweepDraft | null {
   const name = { name: "" };
-  const field = { field: name, by: "", from: "", to: "", count: "", list: "", options: [""], linked: [name] };
+  const field = { field: name, by: "", from: "", to: "", count: "", list: "", options: [""] };
   if (!isLike({ method: "", fields: [field], samples: "", seed: "", strategies: [""] }, stored)) return null;
   const find = (each: typeof name) => fields.find((match) => match.name === each.name) ?? [];
   const { samples, seed, strategies } = stored;
@@ -63,7 +60,6 @@ export function restoreSweep(stored: unknown, fields: readonly SweepField[]): Sw
         ...each,
         field: match,
         by: each.by === "list" ? "list" : "steps",
-        linked: each.linked.flatMap(find),
       })),
     ),
     samples,
@@ -110,13 +106,7 @@ export const readDraft = (draft: SweepDraft): Parsed<Sweep> =>
     const { method, fields, strategies } = draft;
     if (fields.length === 0) put("fields", "Add a field to sweep");
     if (strategies.length === 0) put("strategies", "Choose at least one strategy");
-    const links = fields
-      .filter(({ linked }) => linked.length > 0)
-      .map(({ field, linked }) => [field.name, linked.map(({ name }) => name)] as const);
-    return {
-      ...(method === "grid" ? grid(draft, put) : hypercube(draft, put)),
-      ...(links.length > 0 ? { linked: Object.fromEntries(links) } : {}),
-    };
+    return method === "grid" ? grid(draft, put) : hypercube(draft, put);
   });
 
 const grid = ({ fields }: SweepDraft, put: Put): Sweep => ({

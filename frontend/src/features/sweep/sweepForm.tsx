@@ -13,9 +13,8 @@ import { humanise, optionTitle, type ChoiceField, type NumberField } from "../..
 import { useCatalogues } from "../../server/useCatalogues";
 import { Entry, EntryRow } from "../../ui/Entry";
 import { readDraft, type SweepDraft, type FieldDraft, type Method, byRatio, spread } from "./draft";
-import { Checkbox, Group, SegmentedControl, Chip, MultiSelect } from "@mantine/core";
+import { Checkbox, Group, SegmentedControl, Chip } from "@mantine/core";
 import { StrategyName } from "../../ui/StrategyKey";
-import type { SweepField } from "../../scenario/fields";
 import { Note } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
 import { typedText } from "../../scenario/limits";
@@ -116,13 +115,11 @@ interface RowProps {
   readonly draft: FieldDraft;
   readonly method: Method;
   readonly error: string | undefined;
-  /** Fields that may take its value. */
-  readonly linkable: readonly SweepField[];
   readonly onChange: (change: Partial<FieldDraft>) => void;
   readonly onRemove: () => void;
 }
 
-export function SweptFieldRow({ draft, method, error, linkable, onChange, onRemove }: RowProps) {
+export function SweptFieldRow({ draft, method, error, onChange, onRemove }: RowProps) {
   const { title, name, leaf } = draft.field;
   return (
     <EntryRow title={title} beside={<code className={ui.dim}>{name}</code>} {...{ error, onRemove }}>
@@ -131,7 +128,6 @@ export function SweptFieldRow({ draft, method, error, linkable, onChange, onRemo
       ) : (
         method === "grid" && <ChoiceValues field={leaf} {...{ draft, onChange }} />
       )}
-      {(linkable.length > 0 || draft.linked.length > 0) && <Links {...{ draft, linkable, onChange }} />}
     </EntryRow>
   );
 }
@@ -196,22 +192,6 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
         </>
       )}
     </Group>
-  );
-}
-
-/** Further fields that take the same value at each point. */
-function Links({ draft: { field, linked }, linkable, onChange }: Pick<RowProps, "draft" | "linkable" | "onChange">) {
-  const offered = [...linked, ...linkable];
-  return (
-    <MultiSelect
-      maw="24rem"
-      mt="0.4rem"
-      aria-label={`${field.title}, also sets`}
-      placeholder={linked.length === 0 ? "Also sets the same value of …" : ""}
-      data={offered.map(({ name, title }) => ({ value: name, label: title }))}
-      value={linked.map(({ name }) => name)}
-      onChange={(names) => onChange({ linked: offered.filter(({ name }) => names.includes(name)) })}
-    />
   );
 }
 

@@ -1,21 +1,13 @@
 /** The comparison, and on demand everything else the run says in numbers. */
 
-import { Button, Box, Checkbox } from "@mantine/core";
+import { Button, Box, UnstyledButton } from "@mantine/core";
 import { useMediaQuery } from "@mantine/hooks";
 import { useId, useState, type ReactNode } from "react";
 import { Icon } from "../../ui/icons";
 import { CompareBar } from "../compare/CompareBar";
-import type { SignalKey, Catalogue, Quantity } from "../../api/types";
-import { Solve } from "../solve/SolveButton";
-import type { ResultView } from "../../lab/resultView";
-import {
-  ComparisonTable,
-  UnitAndTools,
-  type ComparisonProps,
-  cellAttributes,
-  ResultCell,
-  EntryHead,
-} from "./ComparisonTable";
+import { type SignalKey, type Catalogue, type Quantity } from "../../api/types";
+import { Solve, SolveButton } from "../solve/SolveButton";
+import { type ResultView } from "../../lab/resultView";
 import classes from "./tables.module.css";
 import { Card } from "../../ui/Card";
 import { getAt } from "../../scenario/path";
@@ -35,14 +27,17 @@ import {
   type EntryGroup,
   intervalAt,
 } from "./entries";
-import { useLabels, useCatalogue } from "../../server/useCatalogues";
-import { prettyUnit } from "../../units/format";
-import { ChangeText, Estimated } from "./ChangeMark";
-import { metricName, valueAt, type MetricPath } from "../../lab/metricPath";
-import { StrategyName } from "../../ui/StrategyKey";
+import { useLabels, useCatalogue, type Labels } from "../../server/useCatalogues";
+import { prettyUnit, formatFixed } from "../../units/format";
+import { ChangeText, Estimated, CaveatMark } from "./ChangeMark";
+import { metricName, valueAt, type MetricPath, type WindowMetric } from "../../lab/metricPath";
+import { StrategyName, StrategyKey } from "../../ui/StrategyKey";
 import { ManualLink } from "../../ui/ManualLink";
 import { RequirementMarks } from "../requirements/RequirementsCard";
 import { requiredOf } from "../requirements/judged";
+import { Fault } from "../../ui/Messages";
+import { useLabContext } from "../../lab/context";
+import { caveatsOf } from "./change";
 
 /** Windows too narrow, beside the form, for both halves of the comparison side by side; paper has no form. */
 const NARROW = "screen and (max-width: 67.99em)";
@@ -54,34 +49,19 @@ export function Tables({ resultView }: { readonly resultView: ResultView }) {
   const id = useId();
   const others = catalogue.metric_signals.filter((signal) => !catalogue.paper_signals.includes(signal));
   const narrow = useMediaQuery(NARROW, false, { getInitialValueInEffect: false });
-  const [grouping, setGrouping] = useState<ComparisonProps["grouping"]>("variant");
   const hasIntervals = [resultView, ...resultView.pins].some(({ shown }) => shown.over !== null);
   const compare = (signals: readonly SignalKey[], caption: string, of = "") =>
     narrow ? (
       VIEWS.map((view) => (
-        <NarrowTable
-          key={view.window}
-          {...{ resultView, words, signals, view, grouping }}
-          heading={`${words.view(view)}${of}`}
-        />
+        <NarrowTable key={view.window} {...{ resultView, words, signals, view }} heading={`${words.view(view)}${of}`} />
       ))
     ) : (
-      <ComparisonTable {...{ resultView, words, signals, caption, grouping }} />
+      <ComparisonTable {...{ resultView, words, signals, caption }} />
     );
   return (
     <Card className={classes.comparison ?? ""} aria-label="Comparison" data-intervals={hasIntervals || undefined}>
       <CompareBar resultView={resultView} />
       <Solve />
-      {!narrow && resultView.pins.length > 0 && (
-        <Checkbox
-          size="xs"
-          m="0.4rem 0.9rem"
-          wrapperProps={{ "data-unprinted": true }}
-          label="Group by strategy"
-          checked={grouping === "strategy"}
-          onChange={({ currentTarget: { checked } }) => setGrouping(checked ? "strategy" : "variant")}
-        />
-      )}
       {compare(catalogue.paper_signals, "RMS on the rough road and peak on the bump")}
       {more && (
         <div id={id}>
@@ -269,4 +249,162 @@ function variantColumns<Row>(
     const group = groups.length > 1 ? <>{name ?? CURRENT}</> : undefined;
     return entries.map((entry) => ({ ...partsOf(entry), key: entry.key, group, head: headOf(entry) }));
   });
+}
+
+/** RMS on the rough road and peak on the bump, side by side, a row for each strategy of each variant. */
+interface ComparisonProps {
+  readonly resultView: ResultView;
+  readonly words: Labels;
+  readonly signals: readonly SignalKey[];
+}
+
+interface Props extends ComparisonProps {
+  readonly caption: string;
+}
+
+function ComparisonTable({ caption, ...props }: Props) {
+  const groups = entryGroups(props.resultView);
+  return (
+    <DataTable
+      label={caption}
+      attributes={{ className: classes.comparison }}
+      columns={columnsOf(props)}
+      groups={groups.map(({ name, entries }) => ({
+        key: entries[0]?.key ?? name ?? "",
+        ...(groups.length > 1 && { title: name ?? CURRENT }),
+        rows: entries,
+        attributes: { "data-pinned": name ?? undefined },
+      }))}
+      rowKey={({ key }) => key}
+      rowAttributes={(entry) => ({
+        "data-baseline": entry.isBaseline || undefined,
+        [entry.shown === props.resultView.shown ? "data-strategy" : "data-pinned-strategy"]: entry.strategy.id,
+      })}
+    />
+  );
+}
+
+function columnsOf({ resultView, words, signals }: ComparisonProps): readonly Column<Entry>[] {
+  const groups = entryGroups(resultView);
+  const results = VIEWS.flatMap((view) =>
+    signals.map((signal): Column<Entry> => {
+      const metric = { window: view.window, signal, statistic: view.statistic };
+      const { scale } = words.unit(signal);
+      const lowest = lowestOf(groups, metric);
+      return {
+        key: `${view.window} ${signal}`,
+        group: words.view(view),
+        head: words.signal(signal),
+        detail: <UnitAndTools {...{ metric, words }} />,
+        sort: ({ summary }) => valueAt(summary, metric),
+        attributes: (entry) => cellAttributes(entry, metric),
+        cell: (entry) => <ResultCell {...{ resultView, entry, metric, scale, lowest }} />,
+      };
+    }),
+  );
+  return [
+    {
+      key: "strategy",
+      head: "Strategy",
+      text: true,
+      cell: (entry) => <EntryHead entry={entry} catalogue={words.catalogue} />,
+    },
+    ...results,
+  ];
+}
+
+interface UnitProps {
+  readonly metric: WindowMetric;
+  readonly words: Labels;
+}
+
+function UnitAndTools({ metric: { window, signal, statistic }, words }: UnitProps) {
+  const label = words.signal(signal);
+  return (
+    <>
+      {words.unit(signal).unit}{" "}
+      <span className={classes.tools}>
+        <SolveButton metric={`${window}.${signal}.${statistic}`} label={`${label}, ${window.replace("_", " ")}`} />
+        <ManualLink name={signal} label={label} />
+      </span>
+    </>
+  );
+}
+
+interface ResultCellProps {
+  readonly resultView: ResultView;
+  readonly entry: Entry;
+  readonly metric: MetricPath;
+  /** From SI to the unit shown. */
+  readonly scale: number;
+  /** The lowest of the metric, in bold. */
+  readonly lowest: number;
+}
+
+/** One number of the comparison, with its interval over several roads and its change. */
+function ResultCell({ resultView, entry, metric, scale, lowest }: ResultCellProps) {
+  const value = valueAt(entry.summary, metric);
+  return (
+    <>
+      <Estimated
+        value={value}
+        isBest={value === lowest}
+        interval={intervalAt(entry.shown, entry.strategy.id, metric)}
+        scale={scale}
+      />
+      <ChangeText change={changeOf(resultView, entry, metric, scale)} />
+      <RequirementMarks results={requiredOf(resultView.judged, entry, metricName(metric))} />
+    </>
+  );
+}
+
+/** What a cell is called and its unrounded value, for whoever looks for it. */
+const cellAttributes = ({ summary }: Entry, metric: WindowMetric) => ({
+  "data-cell": `${metric.window}.${metric.signal}.${metric.statistic}`,
+  "data-value": valueAt(summary, metric) ?? "",
+});
+
+interface EntryHeadProps {
+  readonly entry: Entry;
+  readonly catalogue: Labels["catalogue"];
+  /** For a column's head: name under its line. */
+  readonly upright?: boolean;
+}
+
+/** Who a row or column is: the strategy, at which speed it met the bump, and the caveats of its result. */
+function EntryHead({ entry: { strategy, summary, fault, isBaseline }, catalogue, upright = false }: EntryHeadProps) {
+  const { labAddress } = useLabContext();
+  const speed = summary?.arrival_speed_kmh;
+  if (fault !== undefined)
+    return (
+      <span className={classes.entryHead} data-upright={upright || undefined}>
+        <strong>
+          <StrategyName strategy={strategy} />
+        </strong>
+        <Fault span style={{ overflowWrap: "anywhere" }}>
+          {fault}
+        </Fault>
+      </span>
+    );
+  return (
+    <span className={classes.entryHead} data-upright={upright || undefined}>
+      <UnstyledButton
+        className={classes.baselineButton ?? ""}
+        aria-pressed={isBaseline}
+        title={isBaseline ? "Changes are against this one" : `Compare with ${strategy.label}`}
+        onClick={() => labAddress.setView({ baseline: strategy.id, reference: "baseline" })}
+      >
+        <StrategyKey strategy={strategy} />
+        {strategy.label}
+      </UnstyledButton>
+      <span className={classes.entryFacts}>
+        <span title="Speed at which the front axle meets the bump">
+          {typeof speed === "number" ? `${formatFixed(speed, speed < 99.95 ? 1 : 0)}\u00a0km/h` : "–"}
+        </span>
+        {isBaseline && <span>baseline</span>}
+        <ManualLink name={strategy.own ? `own.${strategy.id}` : strategy.id} label={strategy.label} />
+        <CaveatMark caveats={caveatsOf(summary?.events, catalogue)} />
+      </span>
+    </span>
+  );
 }

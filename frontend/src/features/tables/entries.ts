@@ -33,7 +33,7 @@ export interface Entry {
 }
 
 export interface EntryGroup {
-  /** A pinned variant's name, or a strategy's; `null` for the result that is shown. */
+  /** A pinned variant's name; `null` for the result that is shown. */
   readonly name: string | null;
   readonly entries: readonly Entry[];
 }
@@ -68,13 +68,6 @@ export function entryGroups({
   const others = pins.filter((pin) => pin.shown.runId !== shown.runId);
   return [group(null, shown), ...others.map(({ name, shown: pinned }) => group(name, pinned))];
 }
-
-/** The same entries, those of each strategy together. */
-export const byStrategy = (groups: readonly EntryGroup[]): readonly EntryGroup[] =>
-  (groups[0]?.entries ?? []).map(({ strategy: { id, label } }) => ({
-    name: label,
-    entries: groups.flatMap(({ entries }) => entries.filter(({ strategy }) => strategy.id === id)),
-  }));
 
 /** The lowest of a metric, which every table prints in bold. */
 export const lowestOf = (groups: readonly EntryGroup[], metric: MetricPath): number =>

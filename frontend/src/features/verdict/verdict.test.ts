@@ -3,9 +3,8 @@ import type { Catalogue, Caution, Comparison, Run, Strategy, Summary } from "../
 import { fromRun, type Result } from "../../lab/result";
 import { baselineOf } from "../../lab/resultView";
 import type { Labels } from "../../server/useCatalogues";
-import { possibleBaselines } from "../compare/possibleBaselines";
-import { changedMost, editChanges } from "./ChangeChips";
-import { shownComparison, speedsDiffer, whyNoComparison } from "./VerdictLine";
+import { possibleBaselines } from "../compare/CompareBar";
+import { changedMost, editChanges, shownComparison, speedsDiffer, whyNoComparison } from "./VerdictLine";
 
 const SIGNALS = ["body_acceleration", "pitch_acceleration"];
 const CATALOGUE = {

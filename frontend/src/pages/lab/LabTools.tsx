@@ -3,14 +3,13 @@
 import { useAction, useActionButton, usePaletteEntries, type PaletteEntry, revealed } from "../../lab/actions";
 import { Icon } from "../../ui/icons";
 import { ExportMenu } from "../../features/export/ExportMenu";
-import { LibraryButton } from "../../features/library/LibraryButton";
 import { SweepButton } from "../../features/sweep/SweepButton";
 import { endOffer } from "../../features/tour/offered";
-import { IconButton } from "../../ui/IconButton";
+import { IconButton, compact } from "../../ui/IconButton";
 import { LazyPart } from "../../ui/LazyPart";
 import classes from "../../ui/shell.module.css";
 import { StatusLine } from "./StatusLine";
-import { useLabContext, useLab } from "../../lab/context";
+import { useLabContext, useLab, useReadOnly } from "../../lab/context";
 import { hasErrors } from "../../lab/problems";
 import { hasInvalidInput, type LabState } from "../../lab/labState";
 import { sweepFields } from "../../scenario/fields";
@@ -25,6 +24,12 @@ import { cursor } from "../../lab/cursor";
 import { makeResultView } from "../../lab/resultView";
 import { viewToShare } from "../../lab/sharing";
 import { ShareLink } from "../../features/share/ShareLink";
+import { Button } from "@mantine/core";
+import { vehiclesQuery } from "../../server/queries";
+import { useQuery } from "@tanstack/react-query";
+import { useSelector } from "@tanstack/react-store";
+import { useOpenItem } from "../../features/library/open";
+import { dialog, kindWord, ownLibrary } from "../../scenario/library";
 
 const DataSheetDialog = lazy(() =>
   import("../../features/editor/DataSheetDialog").then((module) => ({ default: module.DataSheetDialog })),
@@ -137,4 +142,55 @@ function ShareRun() {
     });
   };
   return <ShareLink make={make} obstacle={obstacle} opens={OPENS} />;
+}
+
+/** Opens the library; what is in it is found by name. */
+const LibraryDialog = lazy(() =>
+  import("../../features/library/LibraryDialog").then((module) => ({ default: module.LibraryDialog })),
+);
+
+const close = () => dialog.set(null);
+
+function LibraryButton() {
+  const readOnly = useReadOnly();
+  const saving = useSelector(dialog);
+  const items = useSelector(ownLibrary);
+  const open = useOpenItem();
+  const canEdit = !readOnly;
+  useAction("library", canEdit ? () => dialog.set("scenario") : null);
+  useAction("saveVehicle", canEdit ? () => dialog.set("vehicle") : null);
+  const { data: vehicles = [] } = useQuery(vehiclesQuery);
+  const found = [
+    ...vehicles.map(({ label, vehicle }) => ({
+      label,
+      description: "Vehicle",
+      kind: "vehicle" as const,
+      value: vehicle,
+    })),
+    ...items.map((item) => ({ label: item.name, description: `Own ${kindWord(item.kind)}`, ...item })),
+  ].map(({ label, description, ...item }) => ({
+    group: "Library" as const,
+    label,
+    description,
+    run: () => open(item),
+  }));
+  usePaletteEntries(canEdit ? found : []);
+  const { label, ...button } = useActionButton("library");
+  return (
+    <>
+      <Button
+        aria-label={label}
+        leftSection={<Icon name="Template" size={16} stroke={1.7} />}
+        classNames={compact}
+        {...button}
+      >
+        {label}
+      </Button>
+      {saving && canEdit && (
+        <LazyPart onClose={close}>
+          <LibraryDialog saving={saving} onClose={close} />
+        </LazyPart>
+      )}
+    </>
+  );
 }

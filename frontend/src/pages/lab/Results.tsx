@@ -25,8 +25,7 @@ import { useLabFigures } from "../../lab/recordings";
 import { useCatalogue } from "../../server/useCatalogues";
 import { getAt } from "../../scenario/path";
 import { useCurves } from "../../plots/useDetail";
-import { Caution } from "../../ui/Caution";
-import { Note } from "../../ui/Messages";
+import { Caution, Note } from "../../ui/Messages";
 import { Blank } from "../../ui/Page";
 
 interface Props {

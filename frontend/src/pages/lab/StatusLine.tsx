@@ -16,12 +16,8 @@ function describe({ source, timing }: Result): string {
   return `${source === "live" ? "Live" : "Up to date"}: ${parts.filter(Boolean).join(", ")} · ${ms(roundTripMs)} in all`;
 }
 
-interface Props {
-  /** In the header, or under it where the header has no room. */
-  readonly position: "header" | "page";
-}
-
-export function StatusLine({ position }: Props) {
+/** In the header, or under it where the header has no room. */
+export function StatusLine({ position }: { readonly position: "header" | "page" }) {
   const shown = useLab((state) => state.shown);
   const behind = useLab((state) => state.stale && !state.busy);
   return (

@@ -2,16 +2,15 @@
 
 import { Button, Group, Loader, Text } from "@mantine/core";
 import { type UseQueryResult, keepPreviousData, queryOptions } from "@tanstack/react-query";
-import { useState, type ReactNode } from "react";
+import { useState, type ReactNode, useEffect } from "react";
 import { useIntersection } from "@mantine/hooks";
 import { printing } from "../../lib/printing";
 import { useSelector } from "@tanstack/react-store";
-import { useElapsed } from "../../lib/useElapsed";
 import ui from "../../ui/ui.module.css";
 import { Note } from "../../ui/Messages";
 import { ask, query } from "../../api/http";
-import type { PaperFigure } from "../../api/types";
-import type { Choices } from "./choices";
+import { type PaperFigure } from "../../api/types";
+import { type Choices } from "./choices";
 
 interface WaitingProps {
   readonly what: string;
@@ -118,3 +117,14 @@ export const paperFiguresQuery = (choices: Choices) =>
         .figures as unknown as readonly PaperFigure[],
     ...UNCHANGING,
   });
+
+/** [s] since it is shown, anew so often. */
+function useElapsed(everyMs: number): number {
+  const [seconds, setSeconds] = useState(0);
+  useEffect(() => {
+    const begin = performance.now();
+    const timer = setInterval(() => setSeconds((performance.now() - begin) / 1000), everyMs);
+    return () => clearInterval(timer);
+  }, [everyMs]);
+  return seconds;
+}

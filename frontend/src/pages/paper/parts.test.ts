@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Combination } from "../../api/types";
 import { inOrder } from "../../lib/order";
-import { ANY, filtered, NO_FILTER, partOf, rankOf } from "./FairTable";
+import { ANY, filtered, NO_FILTER, partOf, rankOf } from "./Contributions";
 
 const row = (id: string, part: Partial<Combination>): Combination => ({
   id,

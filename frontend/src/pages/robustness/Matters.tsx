@@ -27,9 +27,7 @@ import { useCatalogues } from "../../server/useCatalogues";
 import { isFinal, BATCH, jobQuery } from "../../jobs/useJob";
 import { tableQuery, useOpenRun } from "../../features/sweep/table";
 import { formatPercent } from "../../features/tables/change";
-import { tornadoChart, isOneByOne, tornadoOf, type Bar, type End, type Tornado } from "./charts";
-import { Chart } from "../../plots/Chart";
-import { useChart, type Look } from "../../plots/useChart";
+import { isOneByOne, tornadoOf, type Bar, type End, type Tornado } from "./charts";
 
 type Props = Pick<StudyParts, "batch" | "summary" | "strategies" | "figures">;
 
@@ -183,15 +181,9 @@ function FieldAlone({ batch, figures, strategies }: Omit<AloneProps, "id"> & { r
   const keys = offered.map(({ key }) => key);
   const table = useQuery({ ...tableQuery(batch, keys), placeholderData: keepPreviousData });
   const opening = useOpenRun(batch);
-  const fieldText = useFieldText();
-  const columns = table.data?.columns;
-  const tornado = columns && figure ? tornadoOf(batch, columns, strategyId, figure.key) : null;
-  const { chart, button } = useChart({
-    title: `Each field alone: ${figure ? fullName(figure) : ""}`,
-    file: `ridelab-${batch.id}-fields-${figure?.key ?? ""}`,
-    draw: tornado && figure ? ({ palette }: Look) => tornadoChart(tornado, figure, fieldText, palette) : null,
-  });
   if (!figure) return null;
+  const columns = table.data?.columns;
+  const tornado = columns ? tornadoOf(batch, columns, strategyId, figure.key) : null;
   const explanation = table.isError
     ? `The rows could not be read: ${table.error.message}`
     : isFinal(batch) && table.data
@@ -209,13 +201,12 @@ function FieldAlone({ batch, figures, strategies }: Omit<AloneProps, "id"> & { r
             data={offered.map((each) => ({ value: each.key, label: fullName(each) }))}
             onPick={setFigure}
           />
-          {button}
         </>
       }
     >
       <Note className={ui.note ?? ""}>
-        One field at its lowest value (light) and its highest (dark), all others as in the scenario. A bar to the right
-        is worse. A click on a change opens its run.
+        One field at its lowest value and at its highest, all others as in the scenario; the field that matters most
+        first. A click on a change opens its run.
       </Note>
       {opening.error !== null && (
         <Fault size="md" className={ui.note ?? ""}>
@@ -223,14 +214,7 @@ function FieldAlone({ batch, figures, strategies }: Omit<AloneProps, "id"> & { r
         </Fault>
       )}
       {tornado ? (
-        <>
-          <Chart
-            {...chart}
-            height={AROUND + ROW * tornado.bars.length}
-            label={`${fullName(figure)} with each field alone at both its ends. Every value stands in the table below.`}
-          />
-          <Ends {...{ tornado, figure, opening, batch }} />
-        </>
+        <Ends {...{ tornado, figure, opening, batch }} />
       ) : (
         <Text c="dimmed" className={ui.note ?? ""} role="status">
           {explanation}
@@ -239,9 +223,6 @@ function FieldAlone({ batch, figures, strategies }: Omit<AloneProps, "id"> & { r
     </Card>
   );
 }
-
-/** Of a field, and of the axis [px]. */
-const [ROW, AROUND] = [28, 70];
 
 interface EndsProps extends Pick<StudyParts, "batch" | "opening"> {
   readonly tornado: Tornado;

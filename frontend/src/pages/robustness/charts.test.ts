@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import type { BatchSummary, Strategy } from "../../api/types";
 import { ON_PAPER } from "../../plots/palettes";
-import { spreadChart, tornadoChart } from "./charts";
+import { spreadChart } from "./charts";
 
 const figure = {
   key: "bump.body_acceleration.peak",
@@ -31,23 +31,4 @@ it("The spread's file has a row and a bar for each strategy, in the page's units
   expect(table?.[0]?.[1]).toBe(`Nominal: ${TITLE}`);
   expect(drawn.data.map((trace) => trace.x)).toEqual([[1, 5, null], [2, 4, null], [3], [2], [9]]);
   expect(drawn.layout).toMatchObject({ yaxis: { ticktext: ["LV control"] } });
-});
-
-it("The file of the fields alone has both ends of each with their places; one that did not run is empty", () => {
-  const end = (value: number) => ({ row: 1, at: 2, value });
-  const field = { name: "road.seed" } as never;
-  const { figure: drawn, table } = tornadoChart(
-    { nominal: 0.002, bars: [{ field, low: end(0.001), high: null, span: 1 }] },
-    figure,
-    (_, at) => (typeof at === "number" ? String(at) : ""),
-    ON_PAPER,
-  );
-  expect(drawn.data.map((trace) => trace.x)).toEqual([
-    [2, 1, null],
-    [null, null, null],
-  ]);
-  expect(table?.slice(1)).toEqual([
-    ["The scenario itself", "", 2, "", 2],
-    ["Road", "2", 1, null, null],
-  ]);
 });

@@ -1,4 +1,4 @@
-/** The spread of a figure under each strategy, and each field alone, as plotly draws them on the page and in a file. */
+/** The spread of a metric under each strategy, as plotly draws it on the page and in a file; and each field alone. */
 
 import type { BatchSummary, Strategy, Batch, StrategyId } from "../../api/types";
 import { fullName, type Metric } from "../../server/metrics";
@@ -7,17 +7,15 @@ import type { ChartOnPaper } from "../../plots/paperChart";
 import type { PointTrace } from "../../plots/plotly";
 import { titleWithUnit } from "../../units/format";
 import { quantile } from "./study";
-import { nameOf } from "./RunButton";
-import { humanise } from "../../scenario/schema";
 import { type Cell, cell, type Columns } from "../../features/sweep/table";
 
 type Value = number | null | undefined;
 type Ends = readonly [Value, Value];
 
-const bars = (name: string, ends: readonly Ends[], color: string, width: number, shift = 0) =>
+const bars = (name: string, ends: readonly Ends[], color: string, width: number) =>
   lineTrace(name, {
     x: ends.flatMap(([low, high]) => [low ?? null, high ?? null, null]),
-    y: ends.flatMap((_, index) => [index + shift, index + shift, null]),
+    y: ends.flatMap((_, index) => [index, index, null]),
     color,
     width,
   });
@@ -84,46 +82,6 @@ export function spreadChart(
         ...["Nominal", ...PERCENTS.map((percent) => `${percent} %`), "Worst case"].map((head) => `${head}: ${title}`),
       ],
       ...rows.map(({ label, nominal, quantiles, worst }) => [label, nominal, ...quantiles, worst]),
-    ],
-  };
-}
-
-/** `fieldText` is a field's value as the page writes it. */
-export function tornadoChart(
-  { nominal, bars: fields }: Tornado,
-  figure: Metric,
-  fieldText: (name: string, value: Cell) => string,
-  palette: Palette,
-): ChartOnPaper {
-  const names = fields.map(({ field }) => humanise(nameOf(field.name, [field])));
-  const base = nominal * figure.scale;
-  const title = titleWithUnit(fullName(figure), figure.unit);
-  const valueOf = (side: "low" | "high") =>
-    fields.map((field) => (field[side] ? field[side].value * figure.scale : null));
-  const [low, high] = [valueOf("low"), valueOf("high")];
-  const fromBase = (values: typeof low) => values.map((value): Ends => (value === null ? [null, null] : [base, value]));
-  const data = [
-    bars("Lowest value of the field", fromBase(low), "#9db8d9", 5, -0.2),
-    bars("Highest value of the field", fromBase(high), "#3b6fb5", 5, 0.2),
-  ];
-  const layout = layoutOf(palette, title, names, {});
-  return {
-    figure: {
-      data,
-      layout: {
-        ...layout,
-        shapes: [
-          { type: "line", x0: base, x1: base, yref: "paper", y0: 0, y1: 1, line: { color: palette.text, width: 1 } },
-        ],
-      },
-    },
-    table: [
-      ["Field", "Lowest", title, "Highest", title],
-      ["The scenario itself", "", base, "", base],
-      ...fields.map((bar, index) => {
-        const at = (end: End | null) => end && fieldText(bar.field.name, end.at);
-        return [names[index], at(bar.low), low[index], at(bar.high), high[index]];
-      }),
     ],
   };
 }

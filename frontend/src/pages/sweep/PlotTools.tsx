@@ -14,16 +14,11 @@ import { outlineOf } from "../../plots/markers";
 
 type Props = Pick<SweepParts, "strategies" | "shown" | "view" | "onView">;
 
-const KINDS: readonly { readonly value: PlotKind; readonly label: string }[] = [
-  { value: "points", label: "Curves" },
-  { value: "map", label: "Map" },
-  { value: "trade_off", label: "Trade-off" },
-];
+const LABELS: Readonly<Record<PlotKind, string>> = { points: "Curves", map: "Map", trade_off: "Trade-off" };
 
 export function PlotTools({ strategies, shown, view, onView }: Props) {
   const { figures } = useCatalogues();
-  const { kind, mappable, axes } = shown;
-  const offered = KINDS.filter(({ value }) => value !== "map" || mappable);
+  const { kind, defaultKind, axes } = shown;
   const metric = (label: string, figure: Metric, onPick: (key: string) => void) => (
     <Select
       label={label}
@@ -39,7 +34,12 @@ export function PlotTools({ strategies, shown, view, onView }: Props) {
   );
   return (
     <Group gap="0.5rem 0.8rem" align="flex-end" p="0.6rem 0.9rem 0.3rem">
-      <SegmentedControl aria-label="Plot" value={kind} data={[...offered]} onChange={(plot) => onView({ plot })} />
+      <SegmentedControl
+        aria-label="Plot"
+        value={kind}
+        data={[defaultKind, "trade_off" as const].map((value) => ({ value, label: LABELS[value] }))}
+        onChange={(plot) => onView({ plot: plot === "trade_off" ? plot : null })}
+      />
       {kind === "trade_off"
         ? metric("Metric across", shown.versus, (versus) => onView({ versus }))
         : axes.length > 1 && (

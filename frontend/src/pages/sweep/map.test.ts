@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { frontOf } from "./scatter";
 import { coarse, failing, firstFailure, hatched, lacksStops, mapGrid, shareBelow } from "./map";
-import { mapFigure } from "./mapFigure";
+import { mapFigure } from "./MapPlot";
 import type { GridTrace } from "../../plots/plotly";
 import type { Columns } from "../../features/sweep/table";
 

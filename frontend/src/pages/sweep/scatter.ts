@@ -23,8 +23,6 @@ interface Input {
   readonly lines: readonly Lines[];
   /** One field only is swept: the lines are curves, a strategy has one. */
   readonly curves: boolean;
-  /** What stands at a line's end, by its row. */
-  readonly labelOf: (row: number) => string;
   /** The rows whose points are hollow. */
   readonly isHollow: (row: number) => boolean;
   /** What a row says of itself, line by line. */
@@ -131,27 +129,6 @@ function frame(points: readonly Points[]): PointTrace {
   return pointTrace("", { x, y, opacity: 0, size: SIZE });
 }
 
-/** Labels this near to each other [part of the y axis] would be one upon the other. */
-const LABEL_GAP = 0.045;
-const LABEL_PX = 6.5;
-
-interface EndLabel extends LineEnd {
-  readonly text: string;
-}
-
-/** What the lines' ends say, from above, without those that would cover another. */
-function endLabels({ lines, labelOf, curves }: Input): readonly EndLabel[] {
-  if (curves) return [];
-  const ends = lines.flatMap(({ ends: all }) => all).sort((a, b) => b.y - a.y);
-  const gap = LABEL_GAP * Math.max(0, ...ends.map(({ y }) => y));
-  const spaced: EndLabel[] = [];
-  for (const end of ends) {
-    const last = spaced.at(-1);
-    if (!last || last.y - end.y >= gap) spaced.push({ ...end, text: labelOf(end.row) });
-  }
-  return spaced;
-}
-
 /** Rings around rows, and for a front the staircase over them, which are its members. */
 function rings({ points, ringed, front = false, palette }: Input): readonly (LineTrace | PointTrace)[] {
   const places = new Map(
@@ -171,8 +148,6 @@ export function scatterFigure(input: Input): ScatterFigure {
   const { points, strategies, markers, isHollow, x, y, palette, most = MANY } = input;
   const count = points.reduce((sum, { rows }) => sum + rows.length, 0);
   const many = count > most;
-  const labels = many ? [] : endLabels(input);
-  const logarithmic = isSpreadByRatio(points.flatMap(({ x: xs }) => xs));
   return {
     count,
     dots: many
@@ -186,16 +161,7 @@ export function scatterFigure(input: Input): ScatterFigure {
       : [],
     data: [...(many ? [frame(points)] : [...joints(input), ...traces(input)]), ...rings(input)],
     layout: chartLayout(palette, {
-      margin: { l: 56, r: 16 + LABEL_PX * Math.max(0, ...labels.map(({ text }) => text.length)), t: 8, b: 52 },
-      annotations: labels.map(({ x: atX, y: atY, text }) => ({
-        x: typeof atX === "number" && logarithmic ? Math.log10(atX) : named(atX),
-        y: atY,
-        text,
-        showarrow: false,
-        xanchor: "left",
-        xshift: 7,
-        font: { size: 11, color: palette.text },
-      })),
+      margin: { l: 56, r: 16, t: 8, b: 52 },
       // Somebody's zoom stays while rows arrive.
       uirevision: `${x.name} ${y.key}`,
       xaxis: { title: { text: titleWithUnit(x.title, x.unit) }, ...scaleOf(points), ...categories(points) },
@@ -214,14 +180,6 @@ interface Lines {
   readonly strategy: StrategyId;
   readonly x: readonly (number | string | null)[];
   readonly y: readonly (number | null)[];
-  /** Where each line ends, and which of the others' values it has. */
-  readonly ends: readonly LineEnd[];
-}
-
-interface LineEnd {
-  readonly x: number | string;
-  readonly y: number;
-  readonly row: number;
 }
 
 /** More lines than these are a tangle. */
@@ -239,17 +197,11 @@ export function linesOf(columns: Columns, points: readonly Points[], others: rea
     });
     return [...groups.values()].filter(({ length }) => length >= 2);
   });
-  const rowsAt = (line: number) => points[line]?.rows ?? [];
   if (groups.reduce((sum, { length }) => sum + length, 0) > MOST) return [];
   return points.map(({ strategy, x, y }, line) => ({
     strategy,
     x: (groups[line] ?? []).flatMap((group) => [...group.map((index) => x[index] ?? null), null]),
     y: (groups[line] ?? []).flatMap((group) => [...group.map((index) => y[index] ?? null), null]),
-    ends: (groups[line] ?? []).flatMap((group) => {
-      const index = group.at(-1) ?? 0;
-      const [atX, atY, row] = [x[index], y[index], rowsAt(line)[index]];
-      return atX === undefined || atY === undefined || row === undefined ? [] : [{ x: atX, y: atY, row }];
-    }),
   }));
 }
 

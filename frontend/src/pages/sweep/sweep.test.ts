@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Strategy } from "../../api/types";
 import { markersOf } from "../../plots/markers";
-import { drawnAxes, nearest, locate } from "./DotLayer";
+import { drawnAxes, nearest, locate } from "./PointsPlot";
 import { linesOf, MANY, scatterFigure } from "./scatter";
 import { secondsLeft, withMark, type Mark } from "../../jobs/useJob";
 import { stringifySearch } from "../../lab/address";
@@ -59,10 +59,6 @@ describe("points that differ in x only", () => {
         strategy: "lv",
         x: [1, 2, null, 1, 2, null],
         y: [5, 7, null, 6, 8, null],
-        ends: [
-          { x: 2, y: 7, row: 2 },
-          { x: 2, y: 8, row: 3 },
-        ],
       },
     ]);
     expect(linesOf(columns, points, [])[0]?.x).toEqual([1, 1, 2, 2, 3, null]);
@@ -99,13 +95,13 @@ describe("how a sweep is looked at", () => {
     ).toBe("?x=road.bump.width&y=travel_time&hide=lqr,passive");
     const view = {
       ...usual,
-      plot: "map",
+      plot: "trade_off",
       strategy: "lv",
       against: "none",
       threshold: -10,
       versus: "travel_time",
     } as const;
-    expect(stringifySearch(searchOf(view))).toBe("?plot=map&strategy=lv&against=none&at=-10&versus=travel_time");
+    expect(stringifySearch(searchOf(view))).toBe("?plot=trade_off&strategy=lv&against=none&at=-10&versus=travel_time");
     expect(viewOf(searchOf(view))).toEqual(view);
     expect(searchOf(usual)).toEqual({});
   });
@@ -138,7 +134,6 @@ describe("a plot of many points", () => {
     y,
     lines: [],
     curves: false,
-    labelOf: (row: number) => `run ${row}`,
     isHollow: (row: number) => row === 2,
     textOf: (row: number) => [`run ${row}`, "Height"],
     palette,

@@ -15,11 +15,9 @@ import { formatResult, isNothing, prettyUnit } from "../../units/format";
 /** Runs over a field, a metric over two fields, or one metric over another. */
 export type PlotKind = "points" | "map" | "trade_off";
 
-const PLOT_KINDS: readonly PlotKind[] = ["points", "map", "trade_off"];
-
 export interface BatchView {
   /** `null` for what suits the sweep. */
-  readonly plot: PlotKind | null;
+  readonly plot: "trade_off" | null;
   /** Dotted name of a swept field; `null` for the first one. */
   readonly x: string | null;
   /** Column of a figure. */
@@ -41,14 +39,12 @@ export const NONE = "none";
 type BatchSearch = Partial<Record<"plot" | "x" | "y" | "hide" | "strategy" | "against" | "at" | "versus", string>>;
 type Change = (part: Partial<BatchView>) => void;
 
-const kindOf = (text: string | null | undefined): PlotKind | null => PLOT_KINDS.find((kind) => kind === text) ?? null;
-
 type Stated = Partial<Record<keyof BatchSearch, string | null | undefined>>;
 
 export function viewOf({ plot, x, y, hide, strategy, against, at, versus }: Stated): BatchView {
   const threshold = at === NONE ? NONE : parseFloat(at ?? "");
   return {
-    plot: kindOf(plot),
+    plot: plot === "trade_off" ? plot : null,
     x: x ?? null,
     y: y ?? OPENING_METRIC,
     hidden: listOf(hide ?? undefined),
@@ -97,9 +93,10 @@ export function shownPlot(
 ) {
   const all = axesOf(batch.fields);
   const varied = all.filter(({ name }) => name !== SEED);
+  // Two fields are swept, over a grid, on one road or several.
   const mappable = varied.length === 2 && !batch.sweep.latin_hypercube;
-  const kind =
-    view.plot === null ? (mappable ? "map" : "points") : view.plot === "map" && !mappable ? "points" : view.plot;
+  const defaultKind: PlotKind = mappable ? "map" : "points";
+  const kind = view.plot ?? defaultKind;
   const axes = kind === "map" ? varied : all;
   const find = (key: string | null) => figures.find((figure) => figure.key === key);
   const x = axes.find(({ name }) => name === view.x) ?? axes[0];
@@ -111,8 +108,8 @@ export function shownPlot(
   const against = view.against === null ? usual : (ids.find((id) => id === view.against && id !== strategy) ?? null);
   return {
     kind,
-    /** Two fields are swept, over a grid, on one road or several. */
-    mappable,
+    /** The kind that suits the sweep. */
+    defaultKind,
     /** The fields that it can be over. */
     axes,
     x,
