@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from re import Pattern
 from typing import Any, Literal, overload
 
-from playwright.sync_api import ConsoleMessage, Error, Locator, Page, Response, Route, ViewportSize
+from playwright.sync_api import ConsoleMessage, Download, Error, Locator, Mouse, Page, Response, Route, ViewportSize
 from playwright.sync_api import expect as expect_with_tree
 
 from tests.servers.process import ROOT, request
@@ -103,12 +103,6 @@ REFUSE_COPYING = """
 Object.defineProperty(navigator, 'clipboard', {value: undefined});
 document.execCommand = () => false;
 """
-WATCH_DRAWINGS = """async () => {
-  await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
-  window.drawings = 0;
-  const {stroke} = CanvasRenderingContext2D.prototype;
-  CanvasRenderingContext2D.prototype.stroke = function () { window.drawings += 1; return stroke.call(this); };
-}"""
 DROP = """files => {
   const dataTransfer = new DataTransfer();
   for (const [name, text] of Object.entries(files)) dataTransfer.items.add(new File([text], name));
@@ -207,6 +201,39 @@ class Dashboard:
         self.entry(name).fill(text)
         self.entry(name).press("Enter")
 
+    @contextmanager
+    def new_address(self) -> Iterator[None]:
+        """After what is done within it, wait until the page has another run's address, and shows that run."""
+        address = self.address()
+        yield
+        expect_new_address(self.page, address)
+        self.expect_curves()
+
+    def edit(self, name: str, text: str) -> None:
+        """Type a value and wait for its run."""
+        with self.new_address():
+            self.type_into(name, text)
+
+    @contextmanager
+    def clipboard(self) -> Iterator[Callable[[], str]]:
+        """Within it the page may copy, and what it copied can be asked for."""
+        self.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+        try:
+            yield lambda: str(self.page.evaluate("navigator.clipboard.readText()"))
+        finally:
+            self.page.context.clear_permissions()
+
+    def downloaded(self, button: Locator) -> Download:
+        """What a click on it saves."""
+        with self.page.expect_download() as download:
+            button.click()
+        return download.value
+
+    def exported(self, name: str) -> Download:
+        """The file of an item in the menu Export."""
+        self.page.get_by_role("button", name="Export", exact=True).click()
+        return self.downloaded(self.page.get_by_role("menuitem", name=name))
+
     def stored_run(self) -> Any:
         """The run the address names, as the API has it."""
         answer = request("GET", f"{self.url}/api/v1/runs/{self.run_id}")
@@ -249,11 +276,6 @@ class Dashboard:
         """Drops files with these contents on the page."""
         self.page.evaluate(DROP, files)
 
-    def drawings(self) -> Callable[[], int]:
-        """How often a line is drawn from now on."""
-        self.page.evaluate(WATCH_DRAWINGS)
-        return lambda: int(self.page.evaluate("window.drawings"))
-
     def address(self) -> str:
         """What the address bar shows now; `page.url` learns of a change a moment later."""
         return str(self.page.evaluate("location.href"))
@@ -280,10 +302,9 @@ class Dashboard:
         """A figure's file, by the button in its menu."""
         self.page.get_by_role("button", name=f"Save figure: {title}").click()
         menu = self.page.get_by_role("dialog", name=f"Save figure: {title}")
-        with self.page.expect_download() as download:
-            menu.get_by_role("button", name=name).click()
+        saved = self.downloaded(menu.get_by_role("button", name=name))
         expect(menu).to_be_hidden()
-        return download.value.path().read_bytes()
+        return saved.path().read_bytes()
 
     def expect_accessible(self, part: Locator | None = None, *, in_the_dark: bool = THOROUGH) -> None:
         """Axe-core finds no serious violation of WCAG 2.1 A and AA.
@@ -307,28 +328,34 @@ class Dashboard:
         """Drags a slider's thumb through offsets [px], waiting for live curves at each; returns the live answers."""
         answers: list[Response] = []
         x, y = thumb(slider)
+        with self.held_at(x, y) as mouse:
+            for step in steps:
+                with self.page.expect_response("**/api/v1/live") as answer:
+                    mouse.move(x + step, y, steps=3)
+                answers.append(answer.value)
+            expect(self.results).to_have_attribute("data-source", "live")
+        return answers
+
+    @contextmanager
+    def held_at(self, x: float, y: float) -> Iterator[Mouse]:
+        """The mouse with its button pressed there, until the end of the block."""
         mouse = self.page.mouse
         mouse.move(x, y)
         mouse.down()
-        for step in steps:
-            with self.page.expect_response("**/api/v1/live") as answer:
-                mouse.move(x + step, y, steps=3)
-            answers.append(answer.value)
-        expect(self.results).to_have_attribute("data-source", "live")
+        yield mouse
         mouse.up()
-        return answers
 
 
 def thumb(slider: Locator) -> tuple[float, float]:
     """The middle of a slider's thumb in the window [px]; the thumb is as wide as the slider is high."""
-    middle: tuple[float, float] = slider.evaluate(
+    place: tuple[float, float] = slider.evaluate(
         """slider => {
           const {x, y, width, height} = slider.getBoundingClientRect();
           const part = (slider.value - slider.min) / (slider.max - slider.min);
           return [x + height / 2 + part * (width - height), y + height / 2];
         }"""
     )
-    return middle
+    return place
 
 
 def expect_new_address(page: Page, address: str) -> None:
@@ -357,8 +384,8 @@ def violations(part: Locator, rules: list[str], more: Sequence[str] = ()) -> lis
     return found
 
 
-def middle_of(panel: Locator) -> tuple[float, float, float]:
-    """Centre of a panel's plot and its width."""
-    panel.scroll_into_view_if_needed()
-    box = there(panel.locator("canvas").bounding_box())
+def centre(part: Locator) -> tuple[float, float, float]:
+    """The centre of a part of the page and its width [px], scrolled to."""
+    part.scroll_into_view_if_needed()
+    box = there(part.bounding_box())
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, box["width"]

@@ -3,20 +3,15 @@
 import re
 
 import pytest
-from playwright.sync_api import Locator
 
-from tests.browser.dashboard import THOROUGH, Dashboard, expect, middle_of
-
-
-def opened(dashboard: Dashboard) -> Locator:
-    return dashboard.page.get_by_role("region", name="Why this force?")
+from tests.browser.dashboard import THOROUGH, Dashboard, centre, expect
 
 
 def test_a_click_says_why_the_panel_follows_the_cursor_and_a_link_leads_there(dashboard: Dashboard) -> None:
     dashboard.open()
-    page, panel = dashboard.page, opened(dashboard)
-    plot = page.locator("section[data-figure=body_acceleration]")
-    x, y, _ = middle_of(plot)
+    page, panel = dashboard.page, dashboard.page.get_by_role("region", name="Why this force?")
+    plot = page.locator("section[data-figure=body_acceleration] canvas")
+    x, y, width = centre(plot)
     page.mouse.click(x, y)
     place, why = panel.get_by_test_id("instant-place"), panel.get_by_test_id("why")
     expect(place).to_contain_text("stage bump")
@@ -25,7 +20,7 @@ def test_a_click_says_why_the_panel_follows_the_cursor_and_a_link_leads_there(da
     expect(panel.get_by_role("region", name="Limits").get_by_role("row")).to_have_count(5)
     expect(panel.get_by_role("region", name="Cost of the plan by term")).to_be_visible()
     before = place.inner_text()
-    x, y, width = middle_of(plot)
+    x, y, width = centre(plot)
     page.mouse.move(x - 0.2 * width, y)
     expect(place).not_to_have_text(before)
     panel.get_by_label("Whose controller").select_option("passive")
@@ -36,12 +31,6 @@ def test_a_click_says_why_the_panel_follows_the_cursor_and_a_link_leads_there(da
     panel.get_by_role("button", name="Copy a link to this instant").click()
     expect(page).to_have_url(re.compile(r"instant=lv~[\d.]+"))
     address = page.url
-    page.keyboard.press("Control+k")
-    commands = page.get_by_role("textbox", name="Search commands and fields")
-    expect(commands).to_be_visible()
-    page.keyboard.press("Escape")
-    expect(commands).to_be_hidden()
-    expect(panel).to_have_count(1)
     page.keyboard.press("Escape")
     expect(panel).to_have_count(0)
     expect(page).not_to_have_url(re.compile("instant="))
@@ -50,8 +39,6 @@ def test_a_click_says_why_the_panel_follows_the_cursor_and_a_link_leads_there(da
     dashboard.open(re.sub(r"~[\d.]+", "~20", address))  # far from the bump: the plots' window goes there
     expect(place).to_contain_text("20.00 m")
     expect(page).to_have_url(re.compile("zoom="))
-    low, high = map(float, re.findall(r"[\d.]+", page.url.split("zoom=")[1].split("&")[0]))
-    assert low < 20 < high
 
 
 @pytest.mark.thorough
@@ -63,7 +50,6 @@ def test_responses_bands_and_margins_follow_a_dragged_value(dashboard: Dashboard
     bands = part.get_by_role("region", name="RMS on this road by frequency")
     expect(part.locator("canvas[data-drawn='3']")).to_have_count(4)
     expect(bands.get_by_role("row")).to_have_count(4)
-    expect(part).to_contain_text("between stages there is no margin")
     before = bands.inner_text()
     dashboard.expect_accessible(part)
     slider = dashboard.slider("Target speed")
@@ -72,4 +58,4 @@ def test_responses_bands_and_margins_follow_a_dragged_value(dashboard: Dashboard
         dashboard.drag(slider, (10, 20))
     expect(bands).not_to_have_text(before)
     part.get_by_label("Response from the road to").select_option("front_tyre_load")
-    expect(part.get_by_role("region", name="RMS on this road by frequency")).to_contain_text("N")
+    expect(bands).to_contain_text("N")

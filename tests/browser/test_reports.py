@@ -46,10 +46,7 @@ def opened(context: BrowserContext, address: str, failures: list[str]) -> Page:
 
 
 def saved_report(dashboard: Dashboard) -> Download:
-    dashboard.page.get_by_role("button", name="Export").click()
-    with dashboard.page.expect_download() as download:
-        dashboard.page.get_by_role("menuitem", name="HTML report").click()
-    return download.value
+    return dashboard.exported("HTML report")
 
 
 def test_the_lab_is_printed_and_its_report_works_offline(

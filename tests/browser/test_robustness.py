@@ -6,19 +6,16 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator, Page
 
-from tests.browser.dashboard import THOROUGH, Dashboard, expect
+from tests.browser.dashboard import Dashboard, expect
 from tests.browser.server import Server
 
+RESULTS = "[data-testid=study-results][data-final]"
 PEAK = "bump.body_acceleration.peak"
 SHORT = {"road": {"length": 95, "bump": {"start": 70}}, "speed": {"detection_distance": 50}}
 
 
 def ranges(page: Page, field: str) -> Locator:
     return page.locator(f"[data-field='{field}']")
-
-
-def expect_results(page: Page) -> None:
-    expect(page.locator("[data-testid=study-results][data-final]")).to_be_visible()
 
 
 def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, server: Server) -> None:
@@ -36,35 +33,21 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     ranges(page, "mismatch.damping").get_by_label("Damping, from").fill("0.6")
     ranges(page, "road.seed").get_by_role("switch").uncheck(force=True)
     expect(ranges(page, "road.seed")).to_contain_text("always 1")
-    if THOROUGH:
-        dashboard.expect_accessible(page.get_by_role("form", name="Study"))
     expect(page.get_by_test_id("estimate")).to_contain_text("40 runs (20 points × 2 strategies)")
-    streams: list[str] = []
-    page.on("request", lambda request: streams.append(request.url) if "/events" in request.url else None)
     page.get_by_role("button", name="Start").click()
 
     expect(page).to_have_url(re.compile(r"/robustness/[\w-]{22}\?one=[\w-]{22}$"))
     study = page.url
-    expect_results(page)
+    expect(page.locator(RESULTS)).to_be_visible()
     batch = page.url.split("/robustness/")[1][:22]
     summary: dict[str, Any] = server.get(f"/batches/{batch}/summary")
-    assert server.get(f"/batches/{batch}")["label"] == "Robustness study"
     lead = page.get_by_role("region", name="Leads").locator(f"tr[data-strategy=lqr] [data-cell='{PEAK}']")
     share = summary["strategies"]["lqr"]["figures"][PEAK]["margin"]["worse"]
     expect(lead).to_contain_text(f"{round(100 * share)}\u2009%")
     limits = page.get_by_role("region", name="Limits", exact=True)
     expect(limits.locator("tr[data-strategy=lv]")).to_contain_text("no point")
     expect(page.get_by_test_id("tornado").get_by_role("button")).to_have_count(22)
-    assert {url.split("/batches/")[1][:22] for url in streams} <= {batch}  # a browser has six connections to a server
     dashboard.expect_accessible()
-
-    title = "Each field alone: Body acceleration, peak, bump"
-    assert dashboard.saved_figure(title, "PNG, 300 dpi")[:4] == b"\x89PNG"
-    table = dashboard.saved_figure(title, "CSV").decode()
-    assert f"# Ridelab: {title}\n# page: {server.url}/robustness/{batch}" in table
-    assert len(table.splitlines()) == 15, "where it comes from, titles, the scenario itself and eleven fields"
-    spread = dashboard.saved_figure("Body acceleration, RMS, rough road", "CSV").decode()
-    assert [line.split(",")[0] for line in spread.splitlines()[3:]] == ["LV control", "LQR"]
 
     page.get_by_label("Baseline").select_option("lqr")
     expect(page.get_by_role("heading", name="Where LQR is better")).to_be_visible()
@@ -79,9 +62,6 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     opened = dashboard.stored_run()
     page.get_by_role("link", name="From study").click()
     expect(page).to_have_url(f"{study}&baseline=lqr")
-    page.get_by_role("link", name="New study").click()
-    earlier = page.get_by_role("region", name="Earlier studies").get_by_role("link").first
-    expect(earlier).to_have_attribute("href", study.split("?")[0].removeprefix(server.url))
     assert opened["scenario"]["mismatch"]["damping"] == worst["at"]["mismatch.damping"]
     # Another process: the blocks a law is computed in may differ in their last bits.
     ours = opened["strategies"]["lv"]["metrics"]["bump"]["body_acceleration"]["peak"]
@@ -95,10 +75,8 @@ def test_unstable_loops_are_said_before_anything_else(dashboard: Dashboard, serv
     batch = server.post("/batches", body)
     page = dashboard.page
     page.goto(f"/robustness/{batch['id']}")
-    expect_results(page)
+    expect(page.locator(RESULTS)).to_be_visible()
     expect(page.get_by_test_id("unstable")).to_contain_text("LV control is unstable at 8 of 8 points")
     expect(page.get_by_test_id("unstable")).not_to_contain_text("Passive")
     page.get_by_role("button", name="Change it").click()
-    form = page.get_by_role("form", name="Study")
-    expect(form.get_by_label("Damping, to")).to_have_value("0.6")
-    expect(form.get_by_role("switch", checked=True)).to_have_count(1)
+    expect(page.get_by_role("form", name="Study").get_by_label("Damping, to")).to_have_value("0.6")

@@ -1,45 +1,14 @@
 """What stays where something else goes: on a reload, in another tab, behind Back and Forward, without a file."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Page, Route
+from playwright.sync_api import Browser, Page, Playwright
 
-from tests.browser.dashboard import Dashboard, expect, expect_new_address
-
-BEFORE = "Before the last edit"
-
-
-def edited(dashboard: Dashboard) -> None:
-    """Two edits, the second one undone, and changes against the state before that."""
-    page, paper = dashboard.page, dashboard.address()
-    dashboard.type_into("Height", "6")
-    expect_new_address(page, paper)
-    low = dashboard.address()
-    dashboard.type_into("Width", "3")
-    expect_new_address(page, low)
-    entries = page.evaluate("history.length")
-    page.get_by_role("button", name="Undo").click()
-    expect(page).to_have_url(low)
-    assert page.evaluate("history.length") == entries, "undos do not fill the browser's history"
-    dashboard.expect_curves()
-    page.get_by_label("Change against").select_option("Before the undo")
-    expect(page).to_have_url(re.compile("against=before"))
-
-
-def expect_edited(dashboard: Dashboard) -> None:
-    """What `edited` has left behind, to be compared, undone and done again."""
-    page = dashboard.page
-    expect(page.get_by_label("Change against").locator("option:checked")).to_have_text("Before the undo")
-    expect(page.get_by_test_id("differences")).to_contain_text("Bump width 3 → 4\u00a0m")
-    page.get_by_role("button", name="Undo").click()
-    expect(dashboard.entry("Height")).to_have_value("10")
-    for height, width in (("6", "4"), ("6", "3")):
-        page.get_by_role("button", name="Redo").click()
-        expect(dashboard.entry("Height")).to_have_value(height)
-        expect(dashboard.entry("Width")).to_have_value(width)
-    expect(page.get_by_role("button", name="Redo")).to_be_disabled()
+from tests.browser.chromium import launch
+from tests.browser.dashboard import LAPTOP, TOUR_SEEN, Dashboard, expect
+from tests.browser.server import Server
 
 
 def go(page: Page, name: str) -> None:
@@ -47,23 +16,23 @@ def go(page: Page, name: str) -> None:
 
 
 @pytest.mark.thorough
-def test_edits_outlive_other_pages_and_a_reload(dashboard: Dashboard) -> None:
-    """Undo, redo, what changes are against, and the colours somebody chose; from page to page nothing is loaded."""
+def test_edits_outlive_other_pages(dashboard: Dashboard) -> None:
+    """Undo, redo, what changes are against; from page to page nothing is loaded. Chosen colours outlive a reload."""
     page, scheme = dashboard.page, "data-mantine-color-scheme"
     page.emulate_media(color_scheme="dark")
     dashboard.open()
-    expect(page.locator("html")).to_have_attribute(scheme, "dark")
     page.get_by_role("button", name="Use light colours").click()
-    expect(page.locator("html")).to_have_attribute(scheme, "light")
     page.evaluate("window.unloaded = false")
-    edited(dashboard)
-    curves, before = dashboard.panel("body_acceleration"), page.get_by_role("checkbox", name="Before the undo")
-    expect(page.locator("[data-layer]")).to_have_text([re.compile("before the undo")])
-    expect(curves).to_have_attribute("data-drawn", "6")
-    before.uncheck()
-    expect(curves).to_have_attribute("data-drawn", "3")
-    before.check()
+    dashboard.edit("Height", "6")
+    low = dashboard.address()
+    dashboard.edit("Width", "3")
+    entries = page.evaluate("history.length")
+    page.get_by_role("button", name="Undo").click()
+    expect(page).to_have_url(low)
+    assert page.evaluate("history.length") == entries, "undos do not fill the browser's history"
+    dashboard.expect_curves()
     page.get_by_label("Change against").select_option("Before the undo")
+    expect(page).to_have_url(re.compile("against=before"))
     address = dashboard.address()
     go(page, "Sweeps")
     expect(page.get_by_role("region", name="Sweeps")).to_be_visible()
@@ -71,18 +40,22 @@ def test_edits_outlive_other_pages_and_a_reload(dashboard: Dashboard) -> None:
     expect(page).to_have_url(address)
     dashboard.expect_curves()
     assert page.evaluate("window.unloaded") is False
+    expect(page.get_by_test_id("differences")).to_contain_text("Bump width 3 → 4\u00a0m")
+    page.get_by_role("button", name="Undo").click()
+    expect(dashboard.entry("Height")).to_have_value("10")
+    for height, width in (("6", "4"), ("6", "3")):
+        page.get_by_role("button", name="Redo").click()
+        expect(dashboard.entry("Height")).to_have_value(height)
+        expect(dashboard.entry("Width")).to_have_value(width)
     page.reload()
-    dashboard.expect_curves()
     expect(page.locator("html")).to_have_attribute(scheme, "light")
-    expect_edited(dashboard)
 
 
 def test_a_closed_tab_comes_back_and_the_paper_is_a_click_away(dashboard: Dashboard) -> None:
     """Whichever page it comes back on; what is computed meanwhile is there then, and Back and Forward go by runs."""
     dashboard.open()
     page, paper, first = dashboard.page, dashboard.address(), dashboard.shown_values()
-    dashboard.type_into("Height", "6")
-    expect_new_address(page, paper)
+    dashboard.edit("Height", "6")
     low, values = dashboard.address(), dashboard.shown_values()
     page.go_back()
     expect(page).to_have_url(paper)
@@ -102,76 +75,102 @@ def test_a_closed_tab_comes_back_and_the_paper_is_a_click_away(dashboard: Dashbo
     page.go_back()
     dashboard.expect_curves()
     assert dashboard.entry("Height").input_value() == "7"
-    expect(page.get_by_text("Your last scenario.")).to_have_count(0)
     dashboard.expect_table_to_be_the_stored_run()
     dashboard.chip("LQR").click()
     expect(dashboard.row("lqr")).to_have_count(0)
-    page.get_by_text("Time", exact=True).click()
-    expect(page).to_have_url(re.compile("axis=time"))
     dashboard.open("/")
     assert dashboard.entry("Height").input_value() == "7"
     expect(dashboard.row("lqr")).to_have_count(0)
-    expect(page.get_by_role("radio", name="Time")).to_be_checked()
-    expect(page.get_by_text("Your last scenario.")).to_be_visible()
     page.get_by_role("button", name="Open the paper’s scenario").click()
     expect(dashboard.row("lqr")).to_be_visible()
-    assert dashboard.entry("Height").input_value() == "10"
     assert dashboard.address().split("?")[0] == paper
     expect(page.get_by_text("Your last scenario.")).to_have_count(0)
 
 
 @pytest.mark.thorough
-def test_what_cannot_be_loaded_or_saved_says_so_and_leaves_the_lab(dashboard: Dashboard) -> None:
-    """A pin, plots, or parts of the page after an update of the server: everything else goes on."""
+def test_back_to_a_run_that_has_to_be_fetched(dashboard: Dashboard) -> None:
+    """The browser changes the address before it is there: until then what is shown is one run, form and view included,
+    and says that it is not the address's. The run before the last edit the page has at hand, the one before that not.
+    """
     dashboard.open()
-    page, first = dashboard.page, dashboard.run_id
+    page, first, paper = dashboard.page, dashboard.address(), dashboard.shown_values()
+    for height in ("0.08 m", "0.06 m"):
+        dashboard.edit("Height", height)
+    low = dashboard.shown_values()
+    page.get_by_text("Time", exact=True).click()
+    expect(page).to_have_url(re.compile("axis=time"))
+    dashboard.open(dashboard.address())
+    with dashboard.held("**/series?*"):
+        with page.expect_request("**/series?*"):
+            page.evaluate("history.go(-2)")
+        expect(page).to_have_url(first)
+        expect(dashboard.results).to_have_attribute("data-stale", "true")
+        assert (dashboard.entry("Height").input_value(), dashboard.shown_values()) == ("6", low)
+        expect(page.get_by_role("radio", name="Time")).to_be_checked()
+    expect(page.get_by_role("radio", name="Distance")).to_be_checked()
+    assert (dashboard.entry("Height").input_value(), dashboard.shown_values()) == ("10", paper)
 
-    def refuse(route: Route) -> None:
-        route.fulfill(status=500, json={"title": "Not now"})
 
+@pytest.fixture
+def cached(playwright: Playwright, server: Server) -> Iterator[Dashboard]:
+    """A page in a browser with the back/forward cache, which brings it back as it was left."""
+    with launch(playwright, back_forward_cache=True) as browser, profile(browser, server) as page:
+        dashboard = Dashboard(page, server.url)
+        yield dashboard
+    assert dashboard.failures == []
+
+
+def profile(browser: Browser, server: Server) -> Page:
+    context = browser.new_context(base_url=server.url, viewport=LAPTOP, reduced_motion="reduce")
+    context.add_init_script(f"{TOUR_SEEN}; addEventListener('pageshow', event => window.cached = event.persisted)")
+    return context.new_page()
+
+
+@pytest.mark.thorough
+def test_back_from_another_document_goes_on_where_it_was(cached: Dashboard) -> None:
+    """With what it had pressed and asked; and with the pins of another tab."""
+    page, dashboard = cached.page, cached
+    pins = page.get_by_role("list", name="Pinned results").get_by_role("button")
+    dashboard.open()
+    dashboard.edit("Height", "12")
+    page.get_by_role("button", name="Sweep…").click()
+    page.get_by_role("dialog", name="Sweep").get_by_role("button", name="Start").click()
+    expect(page.get_by_test_id("batch-state")).to_have_text("Done")
+    page.get_by_role("button", name=re.compile("Open run 1 in the dashboard")).click()
+    dashboard.expect_curves()
+    for step in (None, -1, -1):  # what was opened; its sweep; the lab that started it
+        if step:
+            page.evaluate(f"history.go({step})")
+        expect(page.get_by_role("navigation", name="Pages")).to_be_visible()
+        page.evaluate("window.cached = false; location.href = '/docs'")
+        page.wait_for_function("() => document.title.includes('Ridelab') && document.querySelector('#swagger-ui')")
+        if step is None:
+            with page.context.new_page() as tab:
+                Dashboard(tab, dashboard.url).open()
+                tab.get_by_role("region", name="Comparison").get_by_role("button", name="Pin", exact=True).click()
+                expect(tab.get_by_role("list", name="Pinned results").get_by_role("button")).to_have_count(1)
+        page.evaluate("history.back()")
+        page.wait_for_function("() => window.cached")
+        expect(page.locator("[data-loading]")).to_have_count(0)
+    expect(dashboard.entry("Height")).to_have_value("12")
+    expect(pins).to_have_count(1)
+    page.get_by_role("button", name="Sweep…").click()
+    expect(page.get_by_role("dialog", name="Sweep").get_by_role("button", name="Start")).to_be_enabled()
+
+
+@pytest.mark.thorough
+def test_a_pin_that_cannot_be_loaded_says_so_and_is_tried_again(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page, first = dashboard.page, f"**/api/v1/runs/{dashboard.run_id}*"
     comparison, pins = page.get_by_role("region", name="Comparison"), page.get_by_role("list", name="Pinned results")
     comparison.get_by_role("button", name="Pin").click()
     comparison.get_by_label("Change against").select_option("Paper’s scenario")
-    dashboard.type_into("Height", "12")
-    expect(page.get_by_test_id("differences")).to_contain_text("Bump height 10 → 12\u00a0cm")
-    page.route(f"**/api/v1/runs/{first}*", refuse)
+    dashboard.edit("Height", "12")
+    page.route(first, lambda route: route.fulfill(status=500, json={"title": "Not now"}))
     page.reload()
-    expect(pins).to_contain_text("Paper’s scenario(could not be loaded: Not now)")
+    expect(pins).to_contain_text("(could not be loaded: Not now)")
     dashboard.expect_curves()  # a part of the page that comes later would ask for the run by itself
-    page.unroute(f"**/api/v1/runs/{first}*", refuse)
+    page.unroute(first)
     comparison.get_by_role("button", name="Paper’s scenario").click()
     page.get_by_role("menuitem", name="Try again").click()
     expect(comparison.get_by_label("Change against").locator("option:checked")).to_have_text("Paper’s scenario")
-
-    page.route("**/series?*", refuse)
-    page.get_by_label("Plot differences").check()
-    page.get_by_role("button", name="Export").click()
-    page.get_by_role("menuitem", name="PNG picture").click()
-    dialog = page.get_by_role("dialog", name="The plots could not be saved")
-    expect(dialog).to_contain_text("Not now")
-    page.keyboard.press("Escape")
-    expect(dialog).to_have_count(0)
-    page.unroute("**/series?*", refuse)
-    page.get_by_role("button", name="Export").click()
-    with page.expect_download():
-        page.get_by_role("menuitem", name="PNG picture").click()
-    page.get_by_label("Plot differences").uncheck()
-
-    page.route(re.compile(r"/assets/(\w+Dialog|Palette|Help|FigureMenu)-"), lambda route: route.abort())
-    opening: tuple[Callable[[], object], ...] = (
-        lambda: page.get_by_role("button", name="Library").click(),
-        lambda: page.get_by_role("button", name="Sweep…").click(),
-        lambda: page.get_by_role("button", name="How fast may it go: Body acceleration, bump").click(),
-        lambda: page.keyboard.press("Control+k"),
-        lambda: page.keyboard.press("?"),
-        lambda: page.get_by_role("button", name="Save figure: Body acceleration").click(),
-    )
-    failed = page.get_by_role("dialog", name="This part of the page could not be shown")
-    for open_part in opening:
-        open_part()
-        expect(failed).to_be_visible()
-        expect(failed.get_by_role("button", name="Load again")).to_be_visible()
-        failed.get_by_role("button", name="Close").last.click()
-        expect(failed).to_have_count(0)
-    dashboard.expect_table_to_be_the_stored_run()
-    dashboard.failures.clear()  # the browser and React write a missing file to the console

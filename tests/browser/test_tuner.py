@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page
 
-from tests.browser.dashboard import Dashboard, expect, expect_new_address
+from tests.browser.dashboard import Dashboard, expect
 from tests.browser.server import Server
 
 SHORT = {"road": {"length": 95, "bump": {"start": 70}}, "speed": {"detection_distance": 50}}
@@ -28,10 +28,8 @@ def expect_state(page: Page, text: str) -> None:
 
 def test_a_tuning_from_the_lab_and_back(dashboard: Dashboard, server: Server) -> None:
     dashboard.open()
-    page, first = dashboard.page, dashboard.page.url
-    dashboard.type_into("Width", "3")
-    expect_new_address(page, first)
-    dashboard.expect_curves()
+    page = dashboard.page
+    dashboard.edit("Width", "3")
     run = dashboard.run_id
     page.get_by_role("navigation", name="Pages").get_by_role("link", name="Tuner").click()
     expect(page).to_have_url(re.compile(rf"/tuner\?run={run}$"))
@@ -46,12 +44,10 @@ def test_a_tuning_from_the_lab_and_back(dashboard: Dashboard, server: Server) ->
     pages.get_by_role("link", name="Lab").click()
     pages.get_by_role("link", name="Tuner").click()
     expect(page.get_by_role("textbox", name="Trials")).to_have_value("12")
-    # 12 sets of weights and the passive car on 1 road; then the paper's and the best on all 3, the passive car on 2.
-    expect(page.get_by_test_id("estimate")).to_contain_text(re.compile(r"^\d+ runs in 2 generations, "))
+    expect(page.get_by_test_id("estimate")).to_contain_text("runs in 2 generations")
     page.get_by_role("button", name="Start").click()
 
     expect(page).to_have_url(re.compile(r"/tuner/[\w-]{22}$"))
-    assert page.evaluate("Object.keys(localStorage).filter(name => name.includes('draft'))") == []
     expect_state(page, "Done")
     expect(page.get_by_test_id("tuning-counts")).to_have_text("12 of 12 trials")
     tuning = stored(server, page.url.split("/")[-1])
@@ -82,7 +78,6 @@ def test_the_form_says_what_cannot_be_tuned(dashboard: Dashboard) -> None:
     page.goto("/tuner?run=AAAAAAAAAAAAAAAAAAAAAA")
     expect(page.get_by_text("There is no run at this address: choose another scenario")).to_be_visible()
     page.get_by_label("Scenario", exact=True).select_option("preset paper")
-    expect(page.get_by_text("As in the paper.")).to_be_visible()
     expect(page).to_have_url(re.compile(r"/tuner\?preset=paper$"))
     start = page.get_by_role("button", name="Start")
     expect(start).to_be_enabled()
@@ -90,23 +85,10 @@ def test_the_form_says_what_cannot_be_tuned(dashboard: Dashboard) -> None:
     expect(page.get_by_role("alert")).to_have_text("Brake, Pitch acceleration: From has to be less than To")
     dashboard.expect_accessible()
     page.get_by_label("Tune Brake, Pitch acceleration").uncheck()
-    expect(page.get_by_role("group", name="Brake")).to_contain_text("stays 6")
     expect(start).to_be_enabled()
-
-    page.get_by_label("Tune Prediction horizon").check()
-    page.get_by_role("combobox", name="Preview", exact=True).press("ArrowDown")
-    for kind in ("Obstacle", "Lookahead"):
-        page.get_by_role("option", name=kind).click()
-    page.get_by_role("switch", name="Uncertain car, sensors and actuators").check()
-    page.get_by_role("combobox", name="Judge by").select_option("0.9")
-    expect(start).to_be_disabled()  # 5 steps of horizon are fewer than the control horizon
-    expect(page.get_by_role("alert")).to_contain_text("Prediction horizon: Control horizon must not exceed")
-    page.get_by_label("Prediction horizon, from").fill("20")
-    expect(start).to_be_enabled()
-
     page.get_by_role("textbox", name="Training roads").fill("1-64")  # allowed by the fields, not by the server
     page.get_by_role("textbox", name="Trials").fill("5000")
-    expect(page.get_by_test_id("estimate")).to_contain_text("runs are over the limit of")
+    expect(page.get_by_test_id("estimate")).to_contain_text("over the limit of")
     expect(start).to_be_disabled()
     page.get_by_role("button", name="Reset").click()
     expect(page.get_by_role("textbox", name="Trials")).to_have_value("200")
@@ -120,22 +102,18 @@ def test_a_front_is_looked_at_point_by_point(dashboard: Dashboard, server: Serve
     tuning = submit(server, scenario={}, objectives=objectives, limits=limits, trials=16, population=8)
     page.goto(f"/tuner/{tuning}")
     expect_state(page, "Done")
-    answer = stored(server, tuning)
+    points = stored(server, tuning)["front"]
     plot = page.get_by_role("region", name="Pareto front")
-    expect(plot).to_have_attribute("data-front", str(len(answer["front"])))
-    expect(plot).to_have_attribute("data-trials", "16")
-    looked = page.get_by_role("region", name="Selected point")
-    point = answer["front"][0]
-    looked.get_by_label("Weights of trial").select_option(str(point["number"]))
-    weights = looked.locator("td[data-weights='lqr.weights']").evaluate("cell => cell.firstChild.textContent")
-    assert [float(weight) for weight in weights.split(" · ")] == pytest.approx(point["weights"]["lqr.weights"])
-    other = next(trial for trial in answer["front"] if trial["number"] != point["number"])
-    place = sorted(answer["front"], key=lambda trial: trial["values"][0]).index(other)
+    expect(plot).to_have_attribute("data-front", str(len(points)))
+    selected = page.get_by_role("region", name="Selected point")
+    selected.get_by_label("Weights of trial").select_option(str(points[0]["number"]))
+    weights = selected.locator("td[data-weights='lqr.weights']").evaluate("cell => cell.firstChild.textContent")
+    assert [float(weight) for weight in weights.split(" · ")] == pytest.approx(points[0]["weights"]["lqr.weights"])
+    place, other = max(enumerate(sorted(points, key=lambda trial: trial["values"][0])))
     drawn = plot.locator(".scatterlayer .trace").filter(has=page.locator(".point"))
     front = drawn.nth(drawn.count() - 3).locator(".point")  # then the named points, and the ring
-    expect(front).to_have_count(len(answer["front"]))
+    expect(front).to_have_count(len(points))
     front.nth(place).click(force=True)
-    expect(looked).to_have_attribute("data-trial", str(other["number"]))
+    expect(selected).to_have_attribute("data-trial", str(other["number"]))
     dashboard.expect_accessible()
-
     dashboard.expect_no_wider(400)

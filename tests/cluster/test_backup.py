@@ -40,15 +40,11 @@ def save(store: Store, run_id: str) -> StoredRun:
     return run
 
 
-def page_of(database: Path, name: str) -> int:
-    """The number of the first page of that table, from 1."""
+def damaged(database: Path) -> bytes:
+    """Its content with the first page of its results overwritten."""
     with closing(sqlite3.connect(database)) as connection:
-        (page,) = connection.execute("SELECT rootpage FROM sqlite_master WHERE name = ?", [name]).fetchone()
-    return int(page)
-
-
-def damaged(content: bytes, page: int) -> bytes:
-    """With that page overwritten."""
+        (page,) = connection.execute("SELECT rootpage FROM sqlite_master WHERE name = 'results'").fetchone()
+    content = database.read_bytes()
     return content[: (page - 1) * PAGE_SIZE] + b"\xff" * PAGE_SIZE + content[page * PAGE_SIZE :]
 
 
@@ -120,12 +116,14 @@ def test_no_copy_is_half_and_none_is_lost(sqlite_store: Store, tmp_path: Path, b
     database = folder / "ridelab.sqlite"
     whole = database.read_bytes()
     for content, why in (
-        (damaged(whole, page_of(database, "results")), "damaged"),
+        (damaged(database), "damaged"),
         (b"no database at all" * 100, "it is no SQLite database"),
         (b"", "is empty, so there is nothing to copy"),
     ):
         database.write_bytes(content)
         assert why in refusal(data_dir=folder)
+    assert "There is no database at" in refusal(data_dir=tmp_path / "none")
+    assert "pg_dump" in refusal(data_dir=tmp_path, database_url="postgresql://host/ridelab")
     assert (tmp_path / "copy.sqlite").read_text() == "older"
     database.write_bytes(whole)
     backup("--force")
@@ -133,11 +131,6 @@ def test_no_copy_is_half_and_none_is_lost(sqlite_store: Store, tmp_path: Path, b
         assert copy.runs.load("before") is not None
         assert len(copy.runs.load_results(["of before"])) == 1
     assert {path.name for path in tmp_path.iterdir()} == {"data", "copy.sqlite"}
-
-
-def test_what_cannot_be_copied_is_said(tmp_path: Path) -> None:
-    assert "There is no database at" in refusal(data_dir=tmp_path)
-    assert "pg_dump" in refusal(data_dir=tmp_path, database_url="postgresql://host/ridelab")
 
 
 def test_a_dump_of_postgresql_brings_everything_back(postgres: Postgres, tmp_path: Path) -> None:

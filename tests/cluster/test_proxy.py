@@ -71,12 +71,6 @@ def client(proxy: Proxy, replicas: list[Replica]) -> Iterator[httpx.Client]:
         yield client
 
 
-def ask(client: httpx.Client, method: str = "GET", path: str = "/", **headers: str) -> str:
-    response = client.request(method, path, headers={"Connection": "close", **headers})
-    assert response.status_code == 200, response.text
-    return str(response.json()["by"])
-
-
 def who_serves(client: httpx.Client) -> set[str]:
     """The replicas that answered a few requests; empty where none did."""
     answers = [client.get("/", headers={"Connection": "close"}) for _ in range(6)]
@@ -120,23 +114,25 @@ def test_what_drips_is_answered_408_and_no_replica_hears_of_it(
     assert sum(replica.asked for replica in replicas) == before
 
 
-def test_the_longest_body_passes_and_a_longer_one_is_refused(client: httpx.Client, replicas: list[Replica]) -> None:
-    assert client.post("/api/v1/runs", content=b" " * LONGEST).json()["body"] == LONGEST
+@pytest.mark.parametrize(
+    ("longest", "path", "others"),
+    [
+        (LONGEST, "/api/v1/runs", ()),
+        # A road's file may be longer.
+        (LONGEST_ROAD, "/api/v1/roads", ("/api/v1/runs?/api/v1/roads", "/api/v1/roads/x", "//api/v1/roads")),
+    ],
+)
+def test_the_longest_body_passes_and_a_longer_one_is_refused(
+    client: httpx.Client, replicas: list[Replica], longest: int, path: str, others: tuple[str, ...]
+) -> None:
+    assert client.post(path, content=b" " * longest).json()["body"] == longest
     before = sum(replica.asked for replica in replicas)
-    assert_problem(client.post("/api/v1/runs", content=b" " * (LONGEST + 1)), 413)
-    in_pieces = iter([b" " * 65536] * 32)
-    assert_problem(client.post("/api/v1/runs", content=in_pieces), 413)
-    assert sum(replica.asked for replica in replicas) == before
-
-
-def test_a_road_s_file_may_be_longer(client: httpx.Client, replicas: list[Replica]) -> None:
-    assert client.post("/api/v1/roads", content=b" " * LONGEST_ROAD).json()["body"] == LONGEST_ROAD
-    before = sum(replica.asked for replica in replicas)
-    refused = client.post("/api/v1/roads", content=b" " * (LONGEST_ROAD + 1))
+    refused = client.post(path, content=b" " * (longest + 1))
     assert_problem(refused, 413)
-    assert refused.json()["detail"] == f"The body may have {LONGEST_ROAD} bytes."
-    for path in ("/api/v1/runs?/api/v1/roads", "/api/v1/roads/x", "//api/v1/roads"):
-        assert_problem(client.post(path, content=b" " * (LONGEST + 1)), 413)
+    assert str(longest) in refused.json()["detail"]
+    for other in others:
+        assert_problem(client.post(other, content=b" " * (LONGEST + 1)), 413)
+    assert_problem(client.post("/api/v1/runs", content=iter([b" " * 65536] * 32)), 413)  # in pieces
     assert sum(replica.asked for replica in replicas) == before
 
 
@@ -187,14 +183,6 @@ def test_events_come_at_once_and_may_take_their_time(hasty: Proxy, replicas: lis
         assert "data: second" in list(lines)
 
 
-def test_a_replica_that_is_not_ready_gets_nothing(client: httpx.Client, replicas: list[Replica]) -> None:
-    replicas[0].ready = False
-    wait_until(lambda: who_serves(client) == {"two"}, "the other serves all")
-    assert who_serves(client) == {"two"}
-    replicas[0].ready = True
-    wait_until(lambda: who_serves(client) == {"one", "two"}, "it is in use again")
-
-
 @pytest.mark.parametrize(
     ("method", "path", "headers"),
     [("GET", "/x", {}), ("POST", "/api/v1/runs", {}), ("POST", "/api/v1/batches", {"Idempotency-Key": "k"})],
@@ -204,7 +192,8 @@ def test_a_request_its_replica_dropped_goes_to_another(
 ) -> None:
     replicas[0].breaks = True
     before = replicas[0].asked
-    assert {ask(client, method, path, **headers) for _ in range(4)} == {"two"}
+    answers = [client.request(method, path, headers={"Connection": "close", **headers}) for _ in range(4)]
+    assert {answer.json()["by"] for answer in answers} == {"two"}
     assert replicas[0].asked > before, "it was tried"
 
 
@@ -216,9 +205,12 @@ def test_what_must_not_be_done_twice_is_not_sent_twice(client: httpx.Client, rep
     assert sum(replica.asked for replica in replicas) == before + 1
 
 
-def test_without_any_replica_it_says_when_to_come_again(client: httpx.Client, replicas: list[Replica]) -> None:
-    for replica in replicas:
-        replica.ready = False
+def test_a_replica_that_is_not_ready_gets_nothing_and_without_any_it_says_when_to_come_again(
+    client: httpx.Client, replicas: list[Replica]
+) -> None:
+    replicas[0].ready = False
+    wait_until(lambda: who_serves(client) == {"two"}, "the other serves all")
+    replicas[1].ready = False
     wait_until(lambda: client.get("/").status_code == 503, "both are found not ready")
     response = client.get("/")
     assert_problem(response, 503)

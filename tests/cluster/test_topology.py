@@ -8,7 +8,6 @@ import socket
 import ssl
 from collections.abc import Iterator
 from functools import partial
-from typing import Any
 from urllib.parse import quote
 
 import httpx
@@ -20,7 +19,7 @@ from tests.api.own_laws import LAW
 from tests.servers.compose import Topology
 from tests.servers.leader import leader
 from tests.servers.postgres import Postgres
-from tests.servers.process import HANG_TIMEOUT, Program, ask, request, wait_until
+from tests.servers.process import Program, ask, request, wait_until
 
 SHORT = {"length": 120, "bump": {"start": 90}}
 
@@ -59,108 +58,67 @@ def check_stored_and_logged(topology: Topology) -> None:
         assert not [secret for secret in secrets if secret in program.log], program.name
 
 
-@pytest.fixture
-def client(topology: Topology) -> Iterator[httpx.Client]:
-    with httpx.Client(base_url=topology.url, timeout=HANG_TIMEOUT) as client:
-        yield client
+def submit(topology: Topology, first_height: float, runs: int) -> str:
+    """A batch of runs of a custom controller that no other test has computed; its id."""
+    sweep = {"grid": {"road.bump.height": [round(first_height + 1e-5 * number, 6) for number in range(runs)]}}
+    body = {"scenario": {"road": SHORT}, "strategies": ["mine"], "sweep": sweep}
+    key = {"Idempotency-Key": f"from-{first_height}"}
+    return str(ask(topology.url, "POST", "/batches", json=body, headers=key)["id"])
 
 
-def submit(client: httpx.Client, first_height: float, runs: int) -> str:
-    """A batch of lv runs that no other test has computed; its id."""
-    heights = [round(first_height + 1e-5 * number, 6) for number in range(runs)]
-    sweep = {"grid": {"road.bump.height": heights}}
-    body = {"scenario": {"road": SHORT}, "strategies": ["lv"], "sweep": sweep}
-    response = client.post("/api/v1/batches", json=body, headers={"Idempotency-Key": f"from-{first_height}"})
-    assert response.status_code == 202, response.text
-    return str(response.json()["id"])
-
-
-def get(client: httpx.Client, path: str) -> Any:
-    """An answer by the proxy, which may say 503 for a moment while a replica is away or slow."""
-    return ask(str(client.base_url).rstrip("/"), "GET", path)
-
-
-def batch(client: httpx.Client, identifier: str) -> Any:
-    return get(client, f"/batches/{identifier}")
-
-
-def done(client: httpx.Client, identifier: str) -> int:
+def done(topology: Topology, batch: str) -> int:
     """How many of its runs are stored; while it runs the rows tell."""
-    rows = get(client, f"/batches/{identifier}/results")["rows"]
+    rows = ask(topology.url, "GET", f"/batches/{batch}/results")["rows"]
     return sum(row["status"] == "ok" for row in rows)
 
 
-def wait_until_begun(client: httpx.Client, identifier: str) -> int:
-    """Wait until some runs are stored and others are not; returns how many are."""
-    wait_until(lambda: done(client, identifier) > 0, "the batch begins")
-    stored = done(client, identifier)
-    assert batch(client, identifier)["state"] == "running", "the test needs a longer batch"
-    return stored
-
-
-def assert_completes(client: httpx.Client, identifier: str, runs: int) -> None:
+def assert_completes(topology: Topology, batch: str, runs: int) -> None:
     """Every run once, every result stored once."""
-    wait_until(lambda: batch(client, identifier)["state"] not in ("planning", "queued", "running"), "the batch ends")
-    end = batch(client, identifier)
-    rows = client.get(f"/api/v1/batches/{identifier}/results").json()["rows"]
-    assert (end["state"], end["done"], end["failed"]) == ("done", runs, 0), {row["reason"] for row in rows}
-    assert [row["run"] for row in rows] == list(range(runs))
-    assert {row["status"] for row in rows} == {"ok"}
-    assert len({row["metrics"]["bump"]["body_acceleration"]["peak"] for row in rows}) > runs / 2, "results of their own"
+    ended = {"done", "failed", "cancelled"}
+    wait_until(lambda: ask(topology.url, "GET", f"/batches/{batch}")["state"] in ended, "the batch ends")
+    end = ask(topology.url, "GET", f"/batches/{batch}")
+    rows = ask(topology.url, "GET", f"/batches/{batch}/results")["rows"]
+    assert (end["state"], end["done"], end["failed"]) == ("done", runs, 0), end["reason"]
+    assert [(row["run"], row["status"]) for row in rows] == [(number, "ok") for number in range(runs)]
 
 
-def test_a_run_a_link_and_a_batch_go_through_the_proxy(topology: Topology, client: httpx.Client) -> None:
-    run = client.post("/api/v1/runs", json={"scenario": {"road": SHORT}, "strategies": ["lv", "passive"]})
-    assert run.status_code == 200
-    link = client.post("/api/v1/links", json={"run_id": run.json()["id"], "view": {"baseline": "passive"}})
-    assert link.status_code == 201
+def test_a_run_a_link_and_a_batch_go_through_the_proxy(topology: Topology) -> None:
+    body = {"scenario": {"road": SHORT}, "strategies": ["lv", "passive"]}
+    run = ask(topology.url, "POST", "/runs", json=body)["id"]
+    slug = ask(topology.url, "POST", "/links", json={"run_id": run, "view": {"baseline": "passive"}})["slug"]
     for number in (0, 1):
-        answer = request("GET", f"{topology.replica_url(number)}/api/v1/links/{link.json()['slug']}")
-        assert answer.json()["run"]["id"] == run.json()["id"], "whichever replica is asked"
-    identifier = submit(client, 0.05, 20)
-    with client.stream("GET", f"/api/v1/batches/{identifier}/events") as events:
-        last = [line for line in events.iter_lines() if line.startswith("data:")][-1]
-    assert '"done"' in last
-    assert_completes(client, identifier, 20)
-    assert submit(client, 0.05, 20) == identifier, "the same key, whichever replica is asked"
-
-
-@pytest.mark.thorough
-def test_dasks_workers_drive_a_law_of_ones_own(client: httpx.Client) -> None:
-    sweep = {"grid": {"own.mine.damping": [500, 1000, 1500, 2000]}}
-    body = {"scenario": {"road": SHORT}, "strategies": ["mine"], "sweep": sweep}
-    identifier = client.post("/api/v1/batches", json=body).raise_for_status().json()["id"]
-    assert_completes(client, identifier, 4)
+        assert ask(topology.replica_url(number), "GET", f"/links/{slug}")["run"]["id"] == run, "whichever is asked"
+    batch = submit(topology, 0.05, 20)
+    events = request("GET", f"{topology.url}/api/v1/batches/{batch}/events")  # a stream that ends with it
+    assert '"done"' in [line for line in events.text.splitlines() if line.startswith("data:")][-1]
+    assert_completes(topology, batch, 20)
+    assert submit(topology, 0.05, 20) == batch, "the same key, whichever replica is asked"
 
 
 def test_what_dask_opens_is_for_who_has_a_certificate(topology: Topology) -> None:
     for program in (topology.scheduler, *topology.workers):
         wait_until(partial(listens, program), "it listens")
-        listening = listening_of(program)
-        assert {address.ip for address in listening} == {"127.0.0.1"}
-        kinds = [kind_of_port(address.port) for address in listening]
-        assert sorted(kinds) == ["health", "tls"]
+        assert sorted(map(kind_of_port, listening_of(program))) == ["health", "tls"]
 
 
 def listens(program: Program) -> bool:
     return len(listening_of(program)) == 2
 
 
-def listening_of(program: Program) -> list[Any]:
-    """The addresses it listens on; none where it is dead."""
+def listening_of(program: Program) -> list[int]:
+    """The ports of this machine that it listens on; none where it is dead."""
     try:
-        return [c.laddr for c in psutil.Process(program.pid).net_connections() if c.status == psutil.CONN_LISTEN]
+        connections = psutil.Process(program.pid).net_connections()
     except psutil.Error:
         return []
+    return [each.laddr.port for each in connections if each.status == psutil.CONN_LISTEN]
 
 
 def kind_of_port(port: int) -> str:
     """`health` where HTTP answers health and nothing else; `tls` where a certificate is required."""
+    paths = ("/health", "/status", "/metrics", "/info/main/workers.html", "/json/counts.json")
     try:
-        answers = {
-            path: request("GET", f"http://127.0.0.1:{port}{path}").status_code
-            for path in ("/health", "/status", "/metrics", "/info/main/workers.html", "/json/counts.json")
-        }
+        answers = {path: request("GET", f"http://127.0.0.1:{port}{path}").status_code for path in paths}
     except httpx.TransportError:
         context = ssl.create_default_context()
         context.check_hostname, context.verify_mode = False, ssl.CERT_NONE
@@ -169,24 +127,24 @@ def kind_of_port(port: int) -> str:
             with secure, pytest.raises(ssl.SSLError, match="certificate required"):
                 secure.recv(1)
         return "tls"
-    assert answers.pop("/health") == 200
-    assert set(answers.values()) == {404}
+    assert answers == {path: 200 if path == "/health" else 404 for path in paths}
     return "health"
 
 
-def test_a_batch_goes_on_when_the_replica_that_drives_is_killed(topology: Topology, client: httpx.Client) -> None:
+def test_a_batch_goes_on_when_the_replica_that_drives_is_killed(topology: Topology) -> None:
     """That requests go to the other one is shown in tests/cluster/test_proxy.py."""
     wait_until(lambda: both_serve(topology), "both replicas serve")
-    killed, identifier = leader(topology.database, topology.replicas), submit(client, 0.06, 300)
-    stored = wait_until_begun(client, identifier)
+    killed, batch = leader(topology.database, topology.replicas), submit(topology, 0.06, 300)
+    wait_until(lambda: done(topology, batch) > 0, "the batch begins")
+    stored = done(topology, batch)
+    assert stored < 300, "the test needs a longer batch"
     killed.kill(stays_dead=True)
     try:
-        wait_until(lambda: done(client, identifier) > stored, "the batch goes on")
+        wait_until(lambda: done(topology, batch) > stored, "the batch goes on")
         assert leader(topology.database, topology.replicas) is not killed
-        assert_completes(client, identifier, 300)
+        assert_completes(topology, batch, 300)
     finally:
         killed.revive()
-    wait_until(lambda: both_serve(topology), "it is back")
 
 
 def both_serve(topology: Topology) -> bool:
