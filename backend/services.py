@@ -13,7 +13,7 @@ from backend.batches.service import BatchService
 from backend.compute.executor import Executor
 from backend.compute.local_executor import LocalExecutor
 from backend.compute.workers import BATCH_NICE, RESERVED, Workers
-from backend.custom_controllers.watch import Watch
+from backend.custom_controllers.registry import Watch
 from backend.ecu.service import Controllers
 from backend.fmu.service import Fmus
 from backend.gate import Gate

@@ -1,5 +1,6 @@
 """The custom controllers that there are at the moment: looked for by the service, told to its workers."""
 
+import asyncio
 import hashlib
 import logging
 import re
@@ -25,6 +26,7 @@ LOADING = 5.0  # a file may take to be loaded [s]
 TRY_AGAIN = 60.0  # after a file could not be loaded for a reason that may pass: a disk, a package, time [s]
 PROCESSES = 2  # that a worker keeps, for the files driven last
 AT_ONCE = 4  # files described at once
+WAIT = 10.0  # a request waits so long for files that have changed; one that never ends holds nobody up for longer [s]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -265,3 +267,34 @@ def _each_id_once(sources: Iterable[ControllerSource]) -> tuple[ControllerSource
         taken |= {one.id: each.name for one in each.descriptions}
         unique.append(each)
     return tuple(unique)
+
+
+class Watch:
+    """Notices files that have come, gone or changed.
+
+    Args:
+        limit: A run of a controller may take so long [s].
+    """
+
+    def __init__(self, limit: float) -> None:
+        self._limit = limit
+        set_sources(controller_sources())  # from here on this process loads no file itself
+        self._look: asyncio.Task[None] | None = None
+
+    async def refresh_if_changed(self) -> None:
+        """Know what there is now, unless that takes long; nobody waits for another try of a file that was slow."""
+        for _ in range(2):  # a look that began before the change does not have it
+            why = due()
+            if why is None:
+                return
+            if self._look is None or self._look.done():
+                self._look = asyncio.create_task(asyncio.to_thread(refresh, self._limit))
+            if why == "retry":
+                return
+            await asyncio.wait({self._look}, timeout=WAIT)
+
+    async def close(self) -> None:
+        """Call a look off."""
+        if self._look is not None and not self._look.done():
+            close()
+            await asyncio.wait({self._look})

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from starlette.requests import HTTPConnection
 
-from backend.custom_controllers.watch import Watch
+from backend.custom_controllers.registry import Watch
 from backend.gate import Gate
 from backend.http.tokens import Logins, Tokens
 from backend.settings import Settings

@@ -29,7 +29,8 @@ from backend.store import Store, StoredJob, StoredLink, StoredRun
 from backend.unknown_names import unknown_name
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
-from sim_core.strategies import strategies
+from sim_core.scenario.recorded import recording_id
+from sim_core.strategies import STRATEGIES, strategies
 
 _REQUIREMENTS = "requirements"  # their place in a stored view
 MOST_PINNED = 32 * 1024 * 1024  # of one run, before they are compressed: 75 strategies on the paper's road [bytes]
@@ -101,7 +102,9 @@ class Links:
             stored = await self.runs.stored(run_id, client)
         except NotFoundError:
             raise _unknown(place, "There is no run of this id") from None
-        keys = {name: key for name, key in _histories(stored).items() if name not in changed_controllers(stored)}
+        keys = _histories(stored)
+        if not keys.keys() <= STRATEGIES.keys():
+            keys = {name: keys[name] for name in keys.keys() - changed_controllers(stored)}
         present = await self.store.read(self.store.links.pinned, keys.values())
         return _SharedRun(stored=stored, missing={name: key for name, key in keys.items() if key not in present})
 
@@ -168,10 +171,11 @@ class Links:
         stored, missing = shared.stored, shared.missing
         if not missing or stored.core_version != CORE_VERSION:
             return {}
-        scenario = Scenario.model_validate(upgraded_scenario(stored.scenario, stored.schema_version))
+        scenario = Scenario.model_validate(stored.scenario)
         if SAMPLE_BYTES * sum(most_samples(scenario, name, jumps=True) for name in missing) > MOST_PINNED:
             return {}
-        scenario = await self.recordings.on(await self.roads.on(scenario), missing)
+        if scenario.road.profile is not None or any(map(recording_id, missing)):
+            scenario = await self.recordings.on(await self.roads.on(scenario), missing)
         cost = cost_of(scenario, missing)
         with self.gate.computing(client, cost):
             series = await self.workers.call(pins.make, scenario, list(missing), client=client, cost=cost)

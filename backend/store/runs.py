@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import Any, Self
 
-from sqlalchemy import Connection, Row, Select, bindparam, delete, insert, select, update
+from sqlalchemy import Connection, Select, bindparam, delete, insert, select, update
 
 from backend.db.checksum import check, checksum_of
 from backend.db.database import RowStore, dialect_insert, insert_new
@@ -105,15 +105,23 @@ class RunStore(RowStore):
     def load(self, run_id: str) -> StoredRun | None:
         """Return the run of that id, if it is stored."""
         with self._database.reading() as connection:
-            rows = _read_run(connection, run_id)
-        return self._stored_run(*rows)
+            head = connection.execute(_HEAD, {"run": run_id}).one_or_none()
+            members = [] if head is None else connection.execute(_MEMBERS, {"run": run_id}).all()
+        if head is None:
+            return None
+        check(runs, head, "run")
+        if [row.position for row in members] != list(range(len(members))):
+            raise DamagedError("run")
+        damaged = drop_damaged_results(self._database, members)  # the run has them as expired
+        outcomes = tuple(_result(row, lost=row.key in damaged) for row in members)
+        return StoredRun(**{name: getattr(head, name) for name in (*_STORED_NAMES, "created_at")}, results=outcomes)
 
     def load_results(self, keys: Iterable[str]) -> dict[str, Outcome]:
         """Return the stored ones of these results, by key."""
         query = select(results).where(results.c.key.in_(list(keys)), results.c.status != EXPIRED)
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
-        damaged = drop_damaged_results(self._database, rows)
+        damaged = drop_damaged_results(self._database, rows) if rows else ()
         return {row.key: _result(row) for row in rows if row.key not in damaged}
 
     def save(self, run: StoredRun) -> None:
@@ -131,17 +139,6 @@ class RunStore(RowStore):
             for recording in map(recording_id, run.by_strategy):
                 if recording is not None:
                     insert_new(connection, run_recordings, [{"run_id": run.id, "recording_id": recording}])
-
-    def _stored_run(self, head: Row[Any] | None, members: Sequence[Row[Any]]) -> StoredRun | None:
-        """Make a run of its rows; a damaged result is dropped, and the run has it as expired."""
-        if head is None:
-            return None
-        check(runs, head, "run")
-        if [row.position for row in members] != list(range(len(members))):
-            raise DamagedError("run")
-        damaged = drop_damaged_results(self._database, members)
-        outcomes = tuple(_result(row, lost=row.key in damaged) for row in members)
-        return StoredRun(**{name: getattr(head, name) for name in (*_STORED_NAMES, "created_at")}, results=outcomes)
 
     def recompute(self, run: StoredRun, core_version: str) -> None:
         """Replace the results of a stored run by these.
@@ -181,12 +178,6 @@ def _row(item: Outcome, core_version: str) -> dict[str, object]:
     if item.cacheable:
         return {**row, "status": item.status, "summary": item.json.decode(), "compute_ms": item.compute_ms}
     return {**row, "status": EXPIRED, "summary": UNSTORED_FAILURE.decode(), "compute_ms": 0.0}
-
-
-def _read_run(connection: Connection, run_id: str) -> tuple[Row[Any] | None, Sequence[Row[Any]]]:
-    """Return the rows of a run and of its results."""
-    head = connection.execute(_HEAD, {"run": run_id}).one_or_none()
-    return head, connection.execute(_MEMBERS, {"run": run_id}).all()
 
 
 def _result(row: Any, *, lost: bool = False) -> Outcome:

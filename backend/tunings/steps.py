@@ -18,7 +18,7 @@ from backend import custom_controllers
 from backend.batches.kind import SWEEP
 from backend.batches.points import Sweep
 from backend.batches.service import BatchService
-from backend.custom_controllers.watch import Watch
+from backend.custom_controllers.registry import Watch
 from backend.errors import ServiceError, TemporaryError
 from backend.job_run import JobRow
 from backend.jobs.kind import JobFailedError, JobKind
