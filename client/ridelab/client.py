@@ -5,7 +5,6 @@ What reads a stored run, what makes and finds jobs, and what handles measured fi
 
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
-from urllib.parse import urljoin
 
 from ridelab.connection import API, Scenario
 from ridelab.errors import RidelabConnectionError
@@ -229,7 +228,7 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
         body: dict[str, Any] = {"run_id" if isinstance(result, RunResult) else "batch_id": result.id}
         body |= {} if view is None else {"view": view}
         answer = self._http.json("POST", f"{API}/links", body=body, repeatable=False)
-        return Link(slug=answer["slug"], url=urljoin(self.address, answer["url"]))
+        return Link(slug=answer["slug"], url=f"{self.address}/s/{answer['slug']}")
 
     def links(self, *, limit: int = 50) -> list[dict[str, Any]]:
         """The newest links first: with tokens one's own, without them on the service's own machine.
@@ -248,7 +247,7 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
         plain = {key: answer[key] for key in LinkedResult.__dataclass_fields__ if key not in ("url", "run", "batch")}
         return LinkedResult(
             **plain,
-            url=urljoin(self.address, answer["url"]),
+            url=f"{self.address}/s/{slug}",
             run=None if answer["run"] is None else self._run(answer["run"]),
             batch=None if answer["batch"] is None else Batch(self._http, answer["batch"]),
         )
