@@ -62,21 +62,21 @@ def of_batch(batch: JsonObject, computed_at: datetime) -> Preview:
     """Return the preview of a link to a batch.
 
     Args:
-        batch: As `Batch`.
+        batch: As `Batch`; one that is not planned yet has no total and no fields.
         computed_at: When it was computed.
     """
-    fields = [_field(field) for field in batch["fields"]]
-    swept = " × ".join(fields[:FIELDS_SHOWN]) + (" × …" if len(fields) > FIELDS_SHOWN else "")
-    count = f"{batch['total']:,}".replace(",", " ")
+    if batch["total"] is None:
+        title = "A sweep"
+    else:
+        fields = [_field(field) for field in batch["fields"]]
+        swept = " × ".join(fields[:FIELDS_SHOWN]) + (" × …" if len(fields) > FIELDS_SHOWN else "")
+        count = f"{batch['total']:,}".replace(",", " ")
+        title = f"{count} runs over {swept}"
     who = ", ".join(label_of(name) for name in batch["strategies"])
     failures = [f"{batch['failed']} failed"] if batch["failed"] else []
     state = [] if batch["state"] == "done" else [batch["state"]]
-    return Preview(
-        title=f"{count} runs over {swept}",
-        description="; ".join(
-            [f"{count} runs over {swept}: {who}", *state, *failures, _stamp(batch["core_version"], computed_at)]
-        ),
-    )
+    stamp = _stamp(batch["core_version"], computed_at)
+    return Preview(title=title, description="; ".join([f"{title}: {who}", *state, *failures, stamp]))
 
 
 def page(index: str, preview: Preview, *, shared: bool = True) -> str:

@@ -110,6 +110,9 @@ def test_a_batch_tells_how_many_runs_over_what() -> None:
     done = preview.of_batch({**batch, "state": "done", "failed": 0, "fields": fields * 3}, WHEN)
     assert done.title.endswith("× …")
     assert "done" not in done.description
+    planning = preview.of_batch({**batch, "state": "planning", "total": None, "fields": None, "failed": 0}, WHEN)
+    assert planning.title == "A sweep"
+    assert planning.description == "A sweep: LV control, Passive; planning; Ridelab core 0.1.0, 2026-11-21"
 
 
 def test_the_page_gets_one_title_one_description_and_a_card() -> None:
