@@ -8,7 +8,7 @@ import pytest
 from scipy.optimize import brentq
 
 from sim_core.loop.excitation import longest_fine_step
-from sim_core.scenario import Actuator, Bump, Estimation, Hil, Mismatch, Road, Scenario, Vehicle
+from sim_core.scenario import Actuator, Bump, Estimation, Hil, Mismatch, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.vehicle import GRAVITY
 from sim_core.simulate import simulate
 from tests.results import event
@@ -146,10 +146,11 @@ def test_a_ratio_nobody_knows_of_is_that_of_the_real_car(strategy: str) -> None:
 
 
 def test_a_loop_whose_car_rests_on_a_stop_is_an_adaptive_solvers() -> None:
-    """A load presses the rear axle 0.8 mm onto its stop: steps of 1 ms are 0.2 % off in 20 m, and 10 % in LV's 90 m."""
+    """A load presses the rear axle 0.8 mm onto its stop: steps of 1 ms are 0.8 % off in 20 m, and 10 % in LV's 90 m."""
     scenario = loop(194)
     assert scenario.real_vehicle.stop_clearances[0][1] < 0
     bump = scenario.road.bump.model_copy(update={"start": 10.0})
     road = scenario.road.model_copy(update={"length": 20.0, "bump": bump})
-    rms, peak = worst(errors(scenario.model_copy(update={"road": road}), "suspension_only"))
+    fast = Speed(initial_speed_kmh=90, policy="constant")
+    rms, peak = worst(errors(scenario.model_copy(update={"road": road, "speed": fast}), "suspension_only"))
     assert (rms < 1e-4, peak < 1e-4) == (True, True)
