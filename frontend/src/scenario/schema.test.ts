@@ -9,7 +9,7 @@ import {
   paperScenarioOf,
 } from "./differences";
 import { FORM } from "./form.fixture";
-import { foundIn, matching, sections } from "../pages/lab/EditorPane";
+import { foundIn, matching, sections } from "../features/editor/Editor";
 import { parseTyped, sliderScale, stepped, typedText, typicalValue, valueText } from "./limits";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
 import { readSchema, type NumberField } from "./schema";

@@ -5,7 +5,7 @@ import { useMediaQuery } from "@mantine/hooks";
 import { useId, useState, type ReactNode } from "react";
 import { Icon } from "../../ui/icons";
 import { CompareBar } from "../compare/CompareBar";
-import { type SignalKey, type Catalogue, type Quantity } from "../../api/types";
+import { type SignalKey } from "../../api/types";
 import { Solve, SolveButton } from "../solve/SolveButton";
 import { type ResultView } from "../../lab/resultView";
 import classes from "./tables.module.css";
@@ -16,6 +16,8 @@ import { DataTable, type Column } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
 import {
   entryGroups,
+  runRows,
+  type RunRow,
   showValue,
   isRandom,
   lowestOf,
@@ -160,31 +162,11 @@ function NarrowTable({ resultView, words, signals, view: { window, statistic }, 
   );
 }
 
-interface Row {
-  readonly quantity: Quantity;
-  /** Where its number stands; an event has none. */
-  readonly metric: MetricPath | null;
-  /** Lower is better, so that a change has a verdict. */
-  readonly judged: boolean;
-}
-
-function rows(catalogue: Catalogue): readonly Row[] {
-  return [
-    ...catalogue.comfort.map((quantity) => ({ quantity, metric: { comfort: quantity.key }, judged: true })),
-    ...catalogue.run_figures.map((quantity) => ({
-      quantity,
-      metric: { run: quantity.key },
-      judged: quantity.key === "travel_time",
-    })),
-    ...catalogue.events.map((quantity) => ({ quantity, metric: null, judged: false })),
-  ];
-}
-
 function RunTable({ resultView }: { readonly resultView: ResultView }) {
   return (
     <DataTable
       label="Comfort, time and events"
-      rows={rows(useCatalogue())}
+      rows={runRows(useCatalogue())}
       rowKey={({ quantity }) => quantity.key}
       columns={[
         {
@@ -199,7 +181,7 @@ function RunTable({ resultView }: { readonly resultView: ResultView }) {
             </>
           ),
         },
-        ...variantColumns<Row>(
+        ...variantColumns<RunRow>(
           entryGroups(resultView),
           ({ strategy }) => <StrategyName strategy={strategy} />,
           (entry) => ({
@@ -215,7 +197,7 @@ function RunTable({ resultView }: { readonly resultView: ResultView }) {
 interface RunCellProps {
   readonly resultView: ResultView;
   readonly entry: Entry;
-  readonly row: Row;
+  readonly row: RunRow;
 }
 
 function RunCell({ resultView, entry, row: { quantity, metric, judged } }: RunCellProps) {

@@ -8,6 +8,7 @@ import type {
   Summary,
   Interval,
   OverRoads,
+  Quantity,
   StrategyId,
 } from "../../api/types";
 import { whyNotCompared } from "../../lab/compare";
@@ -208,4 +209,25 @@ export function showValue(value: number | boolean | null | undefined): string {
   return Number.isInteger(value)
     ? formatNumber(value, Math.max(1, String(Math.abs(value)).length))
     : formatResult(value);
+}
+
+/** A row of comfort, time and events. */
+export interface RunRow {
+  readonly quantity: Quantity;
+  /** Where its number stands; an event has none. */
+  readonly metric: MetricPath | null;
+  /** Lower is better, so that a change has a verdict. */
+  readonly judged: boolean;
+}
+
+export function runRows(catalogue: Catalogue): readonly RunRow[] {
+  return [
+    ...catalogue.comfort.map((quantity) => ({ quantity, metric: { comfort: quantity.key }, judged: true })),
+    ...catalogue.run_figures.map((quantity) => ({
+      quantity,
+      metric: { run: quantity.key },
+      judged: quantity.key === "travel_time",
+    })),
+    ...catalogue.events.map((quantity) => ({ quantity, metric: null, judged: false })),
+  ];
 }
