@@ -24,7 +24,7 @@ class JobRun(NamedTuple):
     reason: str | None = None
 
     def row(self, job_id: str) -> dict[str, object]:
-        """Its row in the table of runs."""
+        """Return its row in the table of runs."""
         return {
             "job_id": job_id,
             "position": self.position,

@@ -33,7 +33,7 @@ class OverRoads:
     changes: Changes
 
 
-def seeded(scenario: Scenario, roads: int) -> list[Scenario]:
+def with_seeds(scenario: Scenario, roads: int) -> list[Scenario]:
     """The scenario on so many roads: seeds `road.seed`, `road.seed` + 1, ..."""
     first = scenario.road.seed
     return [

@@ -1,4 +1,4 @@
-"""How a batch's runs keep its requirements, read row by row: a point's strategies lie side by side."""
+"""Counts how a batch's runs keep its requirements, read row by row: a point's strategies lie side by side."""
 
 from collections import Counter
 from collections.abc import Sequence
@@ -69,7 +69,7 @@ class JudgedRuns:
             self._runs.append(worst)
 
     def answer(self, batch: StoredJob) -> BatchRequirements:
-        """Of the rows taken in."""
+        """Return the answer for the rows taken in."""
         base = baseline_of(self._names, self._baseline)
         results = []
         for key, counts in self._counts.items():

@@ -48,7 +48,7 @@ UNCERTAINTIES = (
 
 
 def defaults() -> RobustnessDefaults:
-    """What a study varies, where nobody says otherwise."""
+    """Return what a study varies, where nobody says otherwise."""
     described = {each.field: dotted.field(each.field) for each in UNCERTAINTIES}
     ranges = [
         UncertainRange(**asdict(each), title=described[each.field].title, unit=described[each.field].unit)
@@ -58,7 +58,7 @@ def defaults() -> RobustnessDefaults:
 
 
 def drawn(seed: int) -> dict[str, float]:
-    """A point of those ranges, the same one for the same seed; the road is not drawn."""
+    """Draw a point of those ranges, the same one for the same seed; the road is not drawn."""
     ranges = [each for each in UNCERTAINTIES if each.field != "road.seed"]
     shares = np.random.default_rng(seed).random(len(ranges))
     pairs = zip(ranges, shares, strict=True)
@@ -66,12 +66,12 @@ def drawn(seed: int) -> dict[str, float]:
 
 
 def sweep(ranges: Mapping[str, Sequence[float]], samples: int, seed: int) -> JsonObject:
-    """The Latin hypercube over those ranges, as a batch takes it."""
+    """Make the Latin hypercube over those ranges, as a batch takes it."""
     return {"latin_hypercube": {"ranges": {k: list(v) for k, v in ranges.items()}, "samples": samples, "seed": seed}}
 
 
 def fields_read(strategy: str, fields: Sequence[str], scenario: Scenario) -> list[str]:
-    """The fields that can change the strategy's result; errors of preview only where it has preview.
+    """Return the fields that can change the strategy's result; errors of preview only where it has preview.
 
     Args:
         strategy: Its id.

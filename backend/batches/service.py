@@ -185,7 +185,7 @@ class BatchService:
         return Batch.from_stored(job, position, resumable=await self._is_resumable(job))
 
     async def page(self, *, limit: int, cursor: str | None, state: State | None, label: str | None) -> Batches:
-        """The newest batches, without their sweeps."""
+        """Return the newest batches, without their sweeps."""
         jobs, after = await self.jobs.page(limit=limit, cursor=cursor, state=state, label=label)
         positions = await self.jobs.positions(*jobs)
         return Batches(batches=[BatchItem.from_stored(job, positions[job.id]) for job in jobs], next=after)
@@ -216,7 +216,7 @@ class BatchService:
         return (await self.jobs.get(job_id)).sweep or {}
 
     async def table(self, job_id: str, figures: Sequence[str], client: str) -> bytes | SpoolFile:
-        """Every row column by column, with those figures, as JSON of `BatchTable`.
+        """Return every row column by column, with those figures, as JSON of `BatchTable`.
 
         Raises:
             NotFoundError: There is no such batch.
@@ -243,7 +243,7 @@ class BatchService:
             return await write(assembled)
 
     async def summary(self, job_id: str, figures: Sequence[str], baseline: str | None, client: str) -> BatchSummary:
-        """The summary of its finished rows.
+        """Return the summary of its finished rows.
 
         Raises:
             NotFoundError: There is no such batch.
@@ -253,7 +253,7 @@ class BatchService:
         return await self._summaries.get(await self.jobs.get(job_id), figures, baseline, client)
 
     async def requirements(self, job_id: str) -> BatchRequirements:
-        """How its runs keep its requirements.
+        """Return how its runs keep its requirements.
 
         Raises:
             NotFoundError: There is no such batch.
@@ -268,7 +268,7 @@ class BatchService:
     async def results(
         self, job_id: str, file_format: FormatName, client: str, page: Page
     ) -> tuple[StoredJob, AsyncIterator[bytes], ExitStack]:
-        """The batch, those of its rows in that format piece by piece, and what counts them as open until it is closed.
+        """Return the batch, its rows in that format piece by piece, and what counts them as open until it is closed.
 
         Raises:
             NotFoundError: There is no such batch.
@@ -280,7 +280,7 @@ class BatchService:
         return job, table.RENDERERS[file_format](job, page, rows, self._page_call(client)), counted
 
     async def rows(self, job_id: str, first: int = 0, limit: int | None = None) -> AsyncIterator[list[JobRow]]:
-        """Its rows in order from that one on, so many at most, some at a time."""
+        """Read its rows in order from that one on, so many at most, some at a time."""
         last = None if limit is None else first + limit
         while last is None or first < last:
             count = ROWS_AT_ONCE if last is None else min(ROWS_AT_ONCE, last - first)
@@ -371,5 +371,5 @@ def _unusable(error: SweepError) -> InvalidError:
 
 
 def _sent(sweep: Sweep) -> JsonObject:
-    """The sweep as it was sent."""
+    """Return the sweep as it was sent."""
     return sweep.model_dump(mode="json", by_alias=True, exclude_none=True)

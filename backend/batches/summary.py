@@ -102,7 +102,7 @@ def nominal(
 
 
 def summarise(study: Study, baseline: str) -> dict[str, StrategySummary]:
-    """By strategy how many runs, stability, and each figure's distribution and margin."""
+    """Return by strategy how many runs, stability, and each figure's distribution and margin."""
     against = study.strategies.index(baseline)
     numbers = _numbers(study.fields)
     return {name: _strategy(study, index, against, numbers) for index, name in enumerate(study.strategies)}
@@ -139,7 +139,7 @@ def _strategy(study: Study, index: int, against: int, every: Numbers) -> Strateg
 
 
 def _margin(study: Study, key: str, index: int, against: int, numbers: Numbers) -> MarginSummary:
-    """How a strategy differs from the baseline at the points where both have the figure."""
+    """Compare a strategy with the baseline at the points where both have the figure."""
     own, base = study.figures[key][:, index], study.figures[key][:, against]
     nominal = [study.nominal.get(study.strategies[each], {}).get(key) for each in (index, against)]
     paired = np.isfinite(own) & np.isfinite(base)
@@ -199,7 +199,7 @@ def _numbers(fields: Mapping[str, Sequence[Any]]) -> Numbers:
 
 
 def _sensitivity(values: FloatArray, numbers: Numbers) -> list[Sensitivity]:
-    """Which fields a figure follows, the one that explains most first; empty where it is constant or has few points.
+    """Return which fields a metric follows, the most important first; empty where it is constant or has few points.
 
     `spearman` is the rank correlation (direction, monotone effects; scipy.stats.spearmanr). `effect` is the share of
     the ranks' variance that the field alone explains, of any shape: Kruskal-Wallis' H over up to ten groups of the

@@ -48,13 +48,13 @@ class RunningJob:
 
     @property
     def compute(self) -> ComputeRun:
-        """What a worker computes of each run."""
+        """Return what a worker computes of each run."""
         if self.kind.compute is None:
             raise TypeError(f"Jobs of the kind {self.kind.name} have no runs")
         return self.kind.compute
 
     async def next_chunk(self, store: Store, max_chunks: int) -> list[JobRun]:
-        """The next chunk, where all jobs have at most `max_chunks` open; empty where every run is sent or done."""
+        """Return the next chunk, where all jobs have at most `max_chunks` open; empty where no run is left."""
         if self.returned:
             return self.returned.pop(0)
         size = looked = self.size(max_chunks)
@@ -97,7 +97,7 @@ class RunningJob:
             self.run_seconds = each if self.run_seconds is None else 0.7 * self.run_seconds + 0.3 * each
 
     def size(self, max_chunks: int) -> int:
-        """Runs in the next chunk, where `max_chunks` can be open: at the end the processes share the rest."""
+        """Return the size of the next chunk, where `max_chunks` can be open: at the end the processes share the rest."""
         each = self.run_seconds or self.job.estimated_cost / self.job.total
         left = len(self.order) - self.sent
         return max(1, min(LONGEST_CHUNK, int(CHUNK_SECONDS / max(each, 1e-4)), math.ceil(left / max_chunks)))

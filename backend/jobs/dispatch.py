@@ -131,7 +131,7 @@ class Dispatch:
         )
 
     async def _roads(self, job: StoredJob, runs: Sequence[JobRun]) -> dict[str, MeasuredRoad]:
-        """The measured roads that these runs name."""
+        """Return the measured roads that these runs name."""
         if not job.road_ids and not any(PROFILE in run.changes for run in runs):
             return {}
         named = {orjson.loads(run.changes).get(f"road.{PROFILE}") for run in runs} | job.road_ids
@@ -160,7 +160,7 @@ class Dispatch:
     async def _save(
         self, job_id: str, computed: Sequence[Outcome], failures: Mapping[int, str]
     ) -> tuple[set[str], int]:
-        """As `JobRunStore.save`."""
+        """Store them as `JobRunStore.save` does, as often as the database is away."""
         while True:
             try:
                 return await self._store.write(self._store.job_runs.save, job_id, computed, CORE_VERSION, failures)
@@ -191,7 +191,7 @@ async def _outcome(executor: Executor, chunk: Chunk) -> ChunkOutcome:
 def _split(
     running: RunningJob, runs: Sequence[JobRun], computed: Sequence[Outcome]
 ) -> tuple[list[Outcome], dict[int, str]]:
-    """The results to store, and the reasons of runs without one; runs not begun are sent again."""
+    """Return the results to store, and the reasons of runs without one; runs not begun are sent again."""
     reasons = {run.key: str(run.summary["reason"]) for run in computed if not run.cacheable}
     done = {run.key for run in computed}
     left = [run for run in runs if run.key not in done]

@@ -96,7 +96,7 @@ class Leadership:
             raise LeadershipLostError from error
 
     async def write(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
-        """As `Store.write`, and nothing is written where another service has become the leader.
+        """Write as `Store.write` does, but nothing where another service has become the leader.
 
         Raises:
             LeadershipLostError: One has.
@@ -151,7 +151,7 @@ def _try_lock(store: Store) -> Connection | None:
 
 
 def _end_hung_leader(store: Store) -> bool:
-    """Have the server end the connections of a leader that hangs; whether there was one."""
+    """Have the server end the connections of a leader that hangs; return whether there was one."""
     with store.engine.connect().execution_options(isolation_level="AUTOCOMMIT") as connection:
         holder = connection.execute(_HUNG, {"id": LOCK_ID, "seconds": HUNG}).first()
         if holder is None:

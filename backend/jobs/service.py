@@ -35,7 +35,7 @@ class Jobs:
     settings: Settings
 
     async def existing(self, key: str | None, request_hash: str) -> StoredJob | None:
-        """The job that was accepted with that idempotency key.
+        """Return the job that was accepted with that idempotency key.
 
         Raises:
             ConflictError: The key had another request.
@@ -89,7 +89,7 @@ class Jobs:
         return stored if new else _same(stored, job.request_hash)
 
     async def get(self, job_id: str) -> StoredJob:
-        """The job as it stands.
+        """Return the job as it stands.
 
         Raises:
             NotFoundError: There is none.
@@ -102,7 +102,7 @@ class Jobs:
     async def page(
         self, *, limit: int, cursor: str | None, state: State | None, label: str | None
     ) -> tuple[list[StoredJob], str | None]:
-        """The newest jobs without their sweeps, and the cursor of the next page (None: this is the last one)."""
+        """Return the newest jobs without their sweeps, and the cursor of the next page (None: this is the last one)."""
         before = None if cursor is None else place_of(cursor)
         page = await self.store.read(
             self.store.jobs.page, self.kind.name, limit + 1, before=before, state=state, label=label
@@ -111,7 +111,7 @@ class Jobs:
         return shown, cursor_of(shown[-1].created_at, shown[-1].id) if more else None
 
     async def positions(self, *jobs: StoredJob) -> dict[str, int]:
-        """By id the number of runs of earlier jobs that wait; 0 for a job that runs or has ended."""
+        """Return by id the number of runs of earlier jobs that wait; 0 for a job that runs or has ended."""
         unfinished = []
         if any(job.state in WAITING for job in jobs):
             unfinished = await self.store.read(self.store.jobs.unfinished)
@@ -125,7 +125,7 @@ class Jobs:
         }
 
     async def owned(self, job_id: str, owner: str | None) -> StoredJob:
-        """The job, for one who wants to change it: the token that submitted it, or anybody where none did.
+        """Return the job, for one who wants to change it: the token that submitted it, or anybody where none did.
 
         Args:
             job_id: The job.
@@ -185,7 +185,7 @@ class Jobs:
             pass
 
     async def events(self, job_id: str, after: int, client: str) -> AsyncIterator[bytes]:
-        """Server-sent events behind number `after`, as they happen, until the job has ended.
+        """Stream server-sent events behind number `after`, as they happen, until the job has ended.
 
         Raises:
             NotFoundError: There is none.
@@ -197,7 +197,7 @@ class Jobs:
 
 
 def request_hash(request: Any) -> str:
-    """A hash that is equal for equal requests."""
+    """Return a hash that is equal for equal requests."""
     return hashlib.sha256(digest.canonical(request)).hexdigest()[:43]
 
 

@@ -16,7 +16,7 @@ from backend.custom_controllers import is_custom
 from backend.errors import CostLimitError, DamagedResultError, GoneError, InvalidError, RoadGoneError
 from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile, refused_where_full
-from backend.means_over_roads import seeded
+from backend.means_over_roads import with_seeds
 from backend.outcome import Outcome, Sampling
 from backend.recordings.service import Recordings
 from backend.roads.service import MeasuredRoads
@@ -158,7 +158,7 @@ class Histories:
             )
         if changed_controllers(stored) & set(names):
             raise ControllerMissingError
-        roads = seeded(Scenario.model_validate(stored.scenario), stored.roads)
+        roads = with_seeds(Scenario.model_validate(stored.scenario), stored.roads)
         keys = {name: digest.band_key(roads[0], name, stored.roads) for name in names}
         driven = {name: self._bands[key] for name, key in keys.items() if key in self._bands}
         missing = [name for name in names if name not in driven]

@@ -16,7 +16,7 @@ from backend.errors import (
 )
 from backend.gate import Gate
 from backend.json_types import JsonObject
-from backend.means_over_roads import seeded
+from backend.means_over_roads import with_seeds
 from backend.metrics import CACHE
 from backend.outcome import FAILED, UNAVAILABLE, Sampling, failure_json
 from backend.recordings.service import Recordings
@@ -104,7 +104,7 @@ class Runs:
             return stored, dict.fromkeys(names, True)
         costs = costs_of(scenario, names)
         self.gate.check_cost(roads * sum(costs.values()))
-        every = [scenario] if roads == 1 else seeded(scenario, roads)
+        every = [scenario] if roads == 1 else with_seeds(scenario, roads)
         by_road = await self.results.get(every, names, client, costs=costs, identity=identity)
         run = StoredRun(
             id=run_id,
@@ -235,7 +235,7 @@ class Runs:
             raise ControllerMissingError
         names = [name for name in names if name not in changed]
         try:
-            by_road = await self.results.get(seeded(scenario, stored.roads), names, client) if names else []
+            by_road = await self.results.get(with_seeds(scenario, stored.roads), names, client) if names else []
         except InvalidError:
             raise RoadGoneError from None
         again = {name: [each[name] for each in by_road] for name in names}

@@ -81,7 +81,7 @@ class StoredJob:
 
     @property
     def road_ids(self) -> set[str]:
-        """Of the measured roads that its request and its sweep name."""
+        """Return the ids of the measured roads that its request and its sweep name."""
         return measured_roads(self.request["scenario"]) | swept_roads(self.sweep or {})
 
     @property

@@ -94,11 +94,11 @@ class JobStore(RowStore):
         return replace(job, created_at=created), True
 
     def load(self, job_id: str) -> StoredJob | None:
-        """The job of that id, if it is stored."""
+        """Return the job of that id, if it is stored."""
         return self._one(select(*WHOLE).where(jobs.c.id == job_id, jobs.c.kind != REMOVED))
 
     def by_idempotency_key(self, kind: str, key: str) -> StoredJob | None:
-        """The job that was accepted with that key and was not cancelled."""
+        """Return the job that was accepted with that key and was not cancelled."""
         keys = {key, _shortened(key)}  # until 0.3.0 SQLite took long ones as they were
         of_key = and_(jobs.c.kind == kind, jobs.c.idempotency_key.in_(keys), jobs.c.state != "cancelled")
         return self._one(select(*WHOLE).where(of_key))
@@ -112,7 +112,7 @@ class JobStore(RowStore):
         state: State | None = None,
         label: str | None = None,
     ) -> list[StoredJob]:
-        """The jobs that users submitted, the newest first, without sweeps.
+        """Return the jobs that users submitted, the newest first, without sweeps.
 
         Args:
             kind: Of these jobs.
@@ -134,14 +134,14 @@ class JobStore(RowStore):
         return [_job(row) for row in rows]
 
     def unfinished(self) -> list[StoredJob]:
-        """Jobs of every kind that are queued or run, without sweeps, in the order they were accepted."""
+        """Return jobs of every kind that have not ended, without sweeps, in the order they were accepted."""
         query = select(*WITHOUT_SWEEP).where(jobs.c.state.in_(UNFINISHED)).order_by(jobs.c.created_at, jobs.c.id)
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
         return [_job(row) for row in rows]
 
     def counts(self) -> dict[tuple[str, State], tuple[int, int]]:
-        """The numbers of jobs and of their open runs, by kind and state."""
+        """Count jobs and their open runs, by kind and state."""
         open_runs = func.sum(jobs.c.total - jobs.c.done - jobs.c.failed)
         query = select(jobs.c.kind, jobs.c.state, func.count(), open_runs).group_by(jobs.c.kind, jobs.c.state)
         with self._database.reading() as connection:
@@ -340,7 +340,7 @@ def lock(connection: Connection, job_id: str) -> str | None:
 
 
 def waiting_runs(job_id: str) -> ColumnElement[bool]:
-    """Which runs are a job's that wait."""
+    """Return which runs are a job's that wait."""
     return and_(job_runs.c.job_id == job_id, job_runs.c.status == "waiting")
 
 

@@ -24,7 +24,7 @@ class StoredTrial:
     limits: list[float] | None = None
 
     def row(self, job_id: str) -> dict[str, object]:
-        """Its row in the table of trials."""
+        """Return its row in the table of trials."""
         row = asdict(self)
         return {"job_id": job_id, **row, "objectives": row.pop("values")}
 
@@ -33,7 +33,7 @@ class TrialStore(RowStore):
     """Reads trials."""
 
     def of(self, job_id: str) -> list[StoredTrial]:
-        """Every trial of a tuning, in order."""
+        """Return every trial of a tuning, in order."""
         query = select(trials).where(trials.c.job_id == job_id).order_by(trials.c.number)
         with self._database.reading() as connection:
             return [_trial(row) for row in connection.execute(query).all()]

@@ -76,7 +76,7 @@ def compared(
 def _over(
     seeds: Sequence[int], ours: RunsByRoad, papers: RunsByRoad, aims: Aims, *, tuned: bool
 ) -> dict[str, TunedFigures]:
-    """By key over the roads on which both sets of weights could be run."""
+    """Compare by key over the roads on which both sets of weights could be run."""
     both = _both(seeds, ours, papers)
     figures = {}
     for key in both[0][0] if both else ():
@@ -101,7 +101,7 @@ def _change(values: Sequence[float], base: Sequence[float]) -> TunedChange | Non
 
 
 def _verdict(seeds: Sequence[int], ours: RunsByRoad, papers: RunsByRoad, objective: int) -> Verdict:
-    """Whether the objective's change is sure: its interval, or against zero that of the difference, leaves out 0."""
+    """Check whether the objective's change is sure: its interval (against zero: the difference's) leaves out 0."""
     key = f"objectives.{objective}"
     both = _both(seeds, ours, papers)
     if len(both) < 2:

@@ -37,7 +37,7 @@ class Aims:
 
     @classmethod
     def of(cls, request: JsonObject) -> Self:
-        """Of a tuning's request as it is stored."""
+        """Parse from a stored request."""
         return cls(
             objectives=[StoredObjective(**each) for each in request["objectives"]],
             limits=[StoredLimit(**each) for each in request["limits"]],
@@ -46,12 +46,12 @@ class Aims:
 
     @property
     def needs_passive(self) -> bool:
-        """Whether the passive car has to be run too."""
+        """Check whether the passive car has to be run too."""
         return any(objective.normalised for objective in self.objectives)
 
     @property
     def most(self) -> list[float]:
-        """What each limited metric may be at most."""
+        """Return what each limited metric may be at most."""
         return [limit.at_most for limit in self.limits]
 
     @property
@@ -61,7 +61,7 @@ class Aims:
         return limited | {key: METRICS[key] for key in PAPER_METRICS}
 
     def over(self, values: Sequence[float]) -> float:
-        """What an objective's values over the roads come to: their mean or the quantile (numpy's "linear" method)."""
+        """Return the objective over the roads: the mean of its values or their quantile (numpy's "linear" method)."""
         return mean(values) if self.quantile is None else float(np.quantile(values, self.quantile))
 
     def measured(self, row: JobRow, passive: Summary) -> Measured | Failure:
@@ -109,5 +109,5 @@ class Aims:
 
 
 def mean(values: Sequence[float]) -> float:
-    """Their mean."""
+    """Return their mean."""
     return sum(values) / len(values)

@@ -35,12 +35,12 @@ class StoredObjective:
 
     @property
     def normalised(self) -> bool:
-        """Whether it is a share of the passive car's values."""
+        """Check whether it is a share of the passive car's values."""
         return self.figure is None
 
     @property
     def label(self) -> str:
-        """What to call it."""
+        """Return what to call it."""
         if self.figure is not None:
             return METRICS[self.figure].label
         q = "" if tuple(self.q) == (1, 1, 1) else f", q = {', '.join(f'{each:g}' for each in self.q)}"
@@ -48,11 +48,11 @@ class StoredObjective:
 
     @property
     def unit(self) -> str:
-        """Its unit; `1` for none."""
+        """Return its unit; `1` for none."""
         return "1" if self.figure is None else METRICS[self.figure].unit
 
     def value(self, run: Summary, passive: Summary) -> float:
-        """Its value on one road; Eq. 16 is Σ q_i (X_i / X_i,passive)², X_i the RMS (or peak) of a term's signals.
+        """Return its value on one road; Eq. 16 is Σ q_i (X_i / X_i,passive)², X_i the RMS (or peak) of a term.
 
         Args:
             run: The run on that road.
@@ -90,10 +90,10 @@ class StoredLimit:
 
     @property
     def label(self) -> str:
-        """What to call it."""
+        """Return what to call it."""
         return METRICS[self.figure].label
 
     @property
     def unit(self) -> str:
-        """Its unit; `1` for none."""
+        """Return its unit; `1` for none."""
         return METRICS[self.figure].unit

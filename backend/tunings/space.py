@@ -72,7 +72,7 @@ def searchable(strategy: str) -> list[str]:
 
 
 def takes_previews(strategy: str) -> bool:
-    """Whether its kind of preview is the scenario's."""
+    """Check whether its kind of preview is the scenario's."""
     return _is_read(_tunable(strategy).preview, strategies()[strategy])
 
 
@@ -137,13 +137,13 @@ def first_weights(scenario: JsonObject, strategy: str, searched: Iterable[str]) 
 
 
 def has_own_weights(request: JsonObject, trials: Sequence[StoredTrial]) -> bool:
-    """Whether the second trial is the scenario's own weights, because they are others than the first's."""
+    """Check whether the second trial is the scenario's own weights, because they are others than the first's."""
     own = weights_at(request["scenario"], request["strategy"], ranges_of(request))
     return len(trials) > 1 and trials[0].weights != own
 
 
 def point_of(weights: Weights, search: Ranges, scenario: JsonObject) -> Point | None:
-    """Those weights as a point of the searched space; None where they lie outside it."""
+    """Return those weights as a point of the searched space; None where they lie outside it."""
     flat = _flat(weights)
     for name, value in flat.items():
         if name not in search:

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from backend import digest
 from backend.api.site import add_site
-from backend.means_over_roads import seeded
+from backend.means_over_roads import with_seeds
 from sim_core import STRATEGIES, Hil, Lqr, Mpc, Road, Scenario
 
 
@@ -79,7 +79,7 @@ def test_equal_numbers_have_one_canonical_form_and_others_another(value: float) 
 @pytest.mark.parametrize("first_seed", [1, 0, 2**31])
 def test_keys_on_several_roads_are_those_of_each_road(first_seed: int) -> None:
     scenario = Scenario.model_validate({"road": {"seed": first_seed}, "estimation": {"kind": "kalman"}})
-    roads = seeded(scenario, 3)
+    roads = with_seeds(scenario, 3)
     each = [{name: digest.result_key(road, name) for name in STRATEGIES} for road in roads]
     assert digest.result_keys(roads, STRATEGIES) == each
     assert len({key for keys in each for key in keys.values()}) == 3 * len(STRATEGIES)

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from backend import digest
-from backend.means_over_roads import seeded
+from backend.means_over_roads import with_seeds
 from backend.runs import bands, histories
 from backend.runs.models import CreatedRun
 from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
@@ -255,7 +255,7 @@ def test_bands_are_mean_and_extremes_of_the_single_runs(
         service.get(path, params={"strategy": "lqr", **points}).json()["strategies"]["lqr"]
         for points in ({}, {"points": 300})
     )
-    singles = [simulate(road, "lqr").series for road in seeded(Scenario.model_validate(scenario), 3)]
+    singles = [simulate(road, "lqr").series for road in with_seeds(Scenario.model_validate(scenario), 3)]
     assert list(whole["mean"]) == list(SIGNALS)
     common = {"time", "position", "speed", "brake_pressure", "brake_deceleration"}
     assert set(whole["mean"]) - set(whole["minimum"]) == common
