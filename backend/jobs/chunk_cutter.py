@@ -97,7 +97,7 @@ class RunningJob:
             self.run_seconds = each if self.run_seconds is None else 0.7 * self.run_seconds + 0.3 * each
 
     def size(self, max_chunks: int) -> int:
-        """Return the size of the next chunk, where `max_chunks` can be open: at the end the processes share the rest."""
+        """Return the size of the next chunk, where `max_chunks` can be open: the processes share the rest."""
         each = self.run_seconds or self.job.estimated_cost / self.job.total
         left = len(self.order) - self.sent
         return max(1, min(LONGEST_CHUNK, int(CHUNK_SECONDS / max(each, 1e-4)), math.ceil(left / max_chunks)))
