@@ -7,6 +7,7 @@ from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+from urllib.parse import urljoin
 
 import httpx
 import numpy as np
@@ -88,6 +89,8 @@ def test_everything_is_answered_as_before(opened: Opened) -> None:
                 now["core_version"] = before.get("core_version")
             if "points=" in path:
                 before, now = ({name: each[name] for name in each.keys() - SAMPLES} for each in (before, now))
+            if path.startswith("/links/"):
+                before["url"] = urljoin(str(opened.client.base_url), before["url"])  # whole since 0.5.0
             assert not differences(before, now), path
             if path.startswith("/batches/") and before.keys() >= OF_BATCHES:
                 assert opened.client.get(f"/api/v1{path}/sweep").json() == before["sweep"]

@@ -7,8 +7,10 @@ import os
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
+import psutil
 import pytest
 
 from tests.faults.conftest import Process, starter
@@ -56,7 +58,8 @@ def test_a_running_batch_goes_on_when_it_is_back(service: Process, postgres: Pos
     batch_id = submit(service, {"road": {"length": 121.9}}, LONG_BATCH)
     process, logged = halted(service, batch_id), len(service.log)
     postgres.kill()
-    process.resume()
+    with suppress(psutil.NoSuchProcess):  # who no longer leads ends what it computes
+        process.resume()
     # What is computed meanwhile cannot be stored: it is computed again, once this service leads again.
     wait_until(lambda: any(words in service.log[logged:] for words in RESTS), "the driver has found out")
     assert service.client.get("/healthz").status_code == 200
