@@ -11,7 +11,6 @@ import pytest
 from pyarrow import parquet
 
 from ridelab import Interval, Ridelab, RidelabAPIError
-from ridelab.connection import comma_separated
 from sim_core import __version__ as CORE_VERSION
 from tests.client.conftest import ADDRESS, RUN, SHORT, SLUG, Prepared
 
@@ -27,8 +26,7 @@ def test_a_run_is_typed(ridelab: Ridelab, outcomes: dict[str, Any]) -> None:
     assert (outcome.status, outcome.cached, outcome.stages) == ("ok", False, answer["stages"])
     assert outcome.figures()[PEAK] == answer["metrics"]["bump"]["body_acceleration"]["peak"]
     assert (outcome.travel_time, outcome.arrival_speed_kmh) == (answer["travel_time"], answer["arrival_speed_kmh"])
-    assert (run.units[PEAK], run.scenario["road"]["length"]) == ("m/s^2", 61)
-    assert repr(run) == f"RunResult({RUN}, core {CORE_VERSION}: lv ok, passive ok)"
+    assert (run.core_version, run.units[PEAK], run.scenario["road"]["length"]) == (CORE_VERSION, "m/s^2", 61)
     assert ridelab.get_run(RUN)["lv"].metrics == outcome.metrics
     with pytest.raises(RidelabAPIError) as caught:
         ridelab.get_run("no/such")
@@ -43,16 +41,11 @@ def test_a_scenario_is_a_preset_with_named_fields_changed(ridelab: Ridelab) -> N
     changed = scenario["road"]["bump"]["height"], scenario["speed"]["target_speed_kmh"], scenario["mpc"]["preview"]
     assert changed == (0.12, 20, "none")
     assert scenario["lqr"]["weights"] == [1, 2.5, 1]
-    assert (
-        scenario["road"]["bump"]["width"]
-        == preset["road"]["bump"]["width"]
-        != ridelab.scenario()["road"]["bump"]["width"]
-    )
+    assert scenario["road"]["bump"]["width"] == preset["road"]["bump"]["width"]
     for wrong, message in (
-        (("papr", {}), "papr: there is no such preset; perhaps paper; there are paper, "),
-        (("paper", {"road.bump.hight": "12 cm"}), "road.bump.hight: there is no such name; perhaps road.bump.height"),
-        (("paper", {"road.bump.height": "12 kg"}), "road.bump.height: 12 kg is not understood: it takes m, mm"),
-        (("paper", {"road.bump.height.0": 1}), "the scenario given has no such place"),
+        (("papr", {}), "papr: there is no such preset"),
+        (("paper", {"road.bump.hight": "12 cm"}), r"road\.bump\.hight: there is no such name"),
+        (("paper", {"road.bump.height.0": 1}), "no such place"),
     ):
         with pytest.raises(ValueError, match=message):
             ridelab.scenario(*wrong)
@@ -88,7 +81,7 @@ def test_the_address_may_come_from_the_environment(monkeypatch: pytest.MonkeyPat
     with Ridelab() as ridelab:
         assert ridelab.address == ADDRESS
     monkeypatch.delenv("RIDELAB_SERVER")
-    with pytest.raises(ValueError, match="Name the address that ridelab serve prints, or set RIDELAB_SERVER"):
+    with pytest.raises(ValueError, match="RIDELAB_SERVER"):
         Ridelab()
 
 
@@ -110,8 +103,6 @@ def test_several_roads_come_as_means_with_intervals(ridelab: Ridelab, prepared: 
     assert run["lv"].figures()[PEAK] == -60
     assert run.changes["lv"]["bump"]["body_acceleration"]["peak"].half == 4
     assert ridelab.changes(run, against=run)["lv"]["bump"]["body_acceleration"]["peak"] == expected
-    assert repr(run) == f"RunResult({RUN}, core 1, 3 roads: lv ok)"
-    assert len(repr(run["lv"])) < 240
 
 
 @pytest.mark.parametrize(
@@ -134,11 +125,6 @@ def test_time_histories_are_arrays_or_a_file(ridelab: Ridelab, prepared: Prepare
     path = tmp_path / "it.csv"
     assert ridelab.download_series(RUN, path, strategies=["lv"], signals=["speed"], points=200) == path
     assert path.read_bytes() == b"speed [m/s]\n13.9\n"
-
-
-def test_one_name_may_stand_for_a_list_of_one() -> None:
-    assert comma_separated("lv") == comma_separated(["lv"]) == "lv"
-    assert comma_separated(["lv", "lqr"]) == "lv,lqr"
 
 
 @pytest.mark.parametrize("kind", ["run", "batch"])
@@ -165,7 +151,6 @@ def test_a_tuning_counts_its_trials(ridelab: Ridelab, prepared: Prepared) -> Non
     assert (found.total, found.done, found.failed, found.feasible) == (8, 7, 1, 5)
     assert found.trials() == [found.paper]
     assert found.knee is None
-    assert repr(found) == f"Tuning({tuning}: done, 7 done, 1 failed of 8)"
 
 
 def test_a_solution_is_typed(ridelab: Ridelab, prepared: Prepared) -> None:

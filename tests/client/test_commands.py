@@ -3,8 +3,6 @@
 import csv
 import io
 import json
-import re
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +13,7 @@ from backend.batches.robustness import UNCERTAINTIES
 from backend.http.problem_types import KINDS
 from backend.runs.instants import as_answer
 from backend.runs.reports import inputs
-from ridelab import Ridelab
 from ridelab.cli import options
-from ridelab.cli.service import Services
 from sim_core.catalogue import METRICS
 from sim_core.instant import instant
 from sim_core.scenario import Scenario, dotted
@@ -31,22 +27,14 @@ SEARCHES = {  # words of people's own, and fields that they have to find
     "sensor": ["estimation.acceleration_noise", "hil.noise", "mismatch.preview_noise"],
     "frequency": ["vehicle.front_spring", "vehicle.body_mass", "actuator.bandwidth", "mpc.sample_time"],
     "weight": ["vehicle.body_mass", "mismatch.body_mass", "mpc.stage_weights.cruise", "lqr.weights"],
-    "load": ["vehicle.body_mass", "mismatch.body_mass"],
     "hump": ["road.bump.height", "road.bump.width"],
     "pothole": ["road.bump.height"],
     "speed bump": ["road.bump.height"],
     "comfort": ["mpc.stage_weights.cruise", "lqr.weights", "vehicle.front_spring"],
-    "ride": ["mpc.stage_weights.cruise", "vehicle.front_damping"],
     "grip": ["mpc.stage_weights.bump", "vehicle.tyre_lift_off"],
-    "mass": ["vehicle.body_mass", "vehicle.front_wheel_mass"],
-    "shock": ["vehicle.front_damping", "vehicle.front_damper_curve", "hook.skyhook_damping"],
     "tire": ["vehicle.front_tyre_stiffness", "mismatch.tyres"],
-    "noise": ["estimation.deflection_noise", "mismatch.preview_noise", "hil.noise"],
-    "lag": ["actuator.bandwidth", "mismatch.preview_delay", "brake.pressure_lag"],
     "delay": ["actuator.bandwidth", "mismatch.preview_delay", "hil.compensation"],
     "iso roughness": ["road.roughness"],
-    "travel": ["mpc.deflection_limit", "vehicle.bump_stop_clearance"],
-    "stroke": ["mpc.deflection_limit", "vehicle.bump_stop_clearance"],
     "wheelbase": ["vehicle.cg_to_front", "vehicle.cg_to_rear"],
 }
 
@@ -56,16 +44,6 @@ def test_the_command_a_report_prints_gives_the_same_scenario(cli: Cli) -> None:
     expected = dotted.with_changes(Scenario().model_dump(mode="json"), changes)
     words = inputs.command(expected, ["passive"]).split()
     assert json.loads(cli(*words[1:], "--json"))["scenario"] == expected
-
-
-def test_a_saved_run_over_several_roads_is_compared_with_as_many(
-    cli: Cli, prepared: Prepared, scenario: Path, tmp_path: Path
-) -> None:
-    saved = tmp_path / "saved.json"
-    run = json.loads(cli("run", scenario, "--strategy", "lv,passive", "--json"))
-    saved.write_text(json.dumps({**run, "roads": 3}))
-    assert f"Equal within the tolerance: {2 * len(METRICS)} metrics" in cli("compare", saved, scenario)
-    assert prepared.bodies("POST /runs")[-1]["roads"] == 3
 
 
 def test_a_run_can_be_named_in_every_way(cli: Cli, prepared: Prepared, tmp_path: Path) -> None:
@@ -78,11 +56,13 @@ def test_a_run_can_be_named_in_every_way(cli: Cli, prepared: Prepared, tmp_path:
     for name in (RUN, address, saved, SLUG, f"{ADDRESS}/s/{SLUG}"):
         compared = cli("compare", name, RUN)
         assert f"Equal within the tolerance: {2 * len(METRICS)} metrics of lv, passive" in compared, name
+    saved.write_text(json.dumps({**json.loads(saved.read_text()), "roads": 3}))
+    assert "Equal within the tolerance" in cli("compare", saved, "paper")
+    assert prepared.bodies("POST /runs")[-1]["roads"] == 3, "as many as the saved run has"
     assert cli("open", RUN, "--print") == f"{address}\n"
     assert cli("open", SLUG, "--print") == f"{ADDRESS}/s/{SLUG}\n"
-    for unknown, said in (("A" * 22, "no run, batch or link"), ("nothing", "neither a file, nor a preset (paper,")):
+    for unknown in ("A" * 22, "nothing"):
         cli("open", unknown, "--print", code=2)
-        assert said in cli.error
 
 
 @pytest.mark.parametrize("old", OLD)
@@ -92,13 +72,10 @@ def test_an_old_id_that_begins_with_a_sign_is_an_id(cli: Cli, prepared: Prepared
     prepared.answers |= {f"GET /runs/{old}": {**run, "id": old}, f"GET /runs/{old}/series": b"time [s]"}
     assert cli("export", "--strategy", "lv", old, "--signals", "speed", "--out", "-", "--format", "csv") == "time [s]"
     assert old in cli("open", old, "--print")
-    assert "Equal within the tolerance" in cli("compare", old, RUN, "-s", "lv")
     assert "Equal within the tolerance" in cli("compare", RUN, "-s", "lv", old)
     assert cli("run", old, "--json", "-s", "lv").startswith("{")
     cli("tune", "--resume", old, code=2)
     assert "There is none of this id." in cli.error
-    cli("export", "--no-such-option-atall", "--out", "x.csv", code=2)
-    assert "No such option" in cli.error
 
 
 def test_a_run_says_what_its_numbers_do_not(
@@ -107,29 +84,21 @@ def test_a_run_says_what_its_numbers_do_not(
     late = {"target_reached": False, "bump_complete": False, "qp_failures": 2}
     monkeypatch.setitem(outcomes, "lv", outcomes["lv"] | {"events": outcomes["lv"]["events"] | late})
     printed = cli("run", "-s", "lv,passive")
-    for said in ("target speed not reached", "the road ends before the rear axle", "2 QPs not solved"):
-        assert f"\nLV control  {said}" in printed
+    for said in ("target speed", "rear axle", "2 QPs"):
+        assert any(said in line for line in printed.splitlines() if line.startswith("LV control  "))
     failed = {"status": "failed", "cached": False, "compute_ms": 1.0, "reason": "no controller"}
     monkeypatch.setitem(outcomes, "lv", failed)
     assert "\nLV control  failed: no controller" in cli("run", "-s", "lv,passive", code=1)
 
 
-def swept(prepared: Prepared, outcomes: dict[str, Any], **more: Any) -> str:
+def swept(prepared: Prepared, outcomes: dict[str, Any]) -> str:
     """A batch of 21 runs, the last of which failed; its id."""
     ok = {"strategy": "lv", "status": "ok", **outcomes["lv"]}
     rows = [{"run": number, "road.seed": number, **ok} for number in range(20)]
     rows += [{"run": 20, "road.seed": 20, "strategy": "lv", "status": "failed", "reason": "too steep"}]
     field = {"name": "road.seed", "unit": "1", "linked_to": None}
-    whole = {
-        "total": 21,
-        "done": 20,
-        "failed": 1,
-        "fields": [field],
-        "scenario": SHORT,
-        "strategies": ["lv"],
-        **more,
-    }
-    identifier = prepared.job("batch", **whole)
+    what = {"fields": [field], "scenario": SHORT, "strategies": ["lv"]}
+    identifier = prepared.job("batch", "done", total=21, done=20, failed=1, **what)
     prepared.answers[f"GET /batches/{identifier}/results"] = {"rows": rows}
     return identifier
 
@@ -138,27 +107,21 @@ def test_a_sweep_shows_its_first_rows_and_failed_runs_in_the_exit_code(
     cli: Cli, prepared: Prepared, outcomes: dict[str, Any], scenario: Path
 ) -> None:
     batch = swept(prepared, outcomes)
-    head, first, *_, more = cli("sweep", scenario, "--grid", "road.seed=0:20:21", code=1).splitlines()
-    heads = ["road.seed", "strategy", "status", "rough_road.body_acceleration.rms [m/s^2]", f"{PEAK} [m/s^2]"]
-    assert re.split(r" {2,}", head.strip()) == [*heads, "bump.front_tyre_load.peak [N]"]
+    _, first, *_, more = cli("sweep", scenario, "--grid", "road.seed=0:20:21", code=1).splitlines()
     assert first.split()[:3] == ["0", "lv", "ok"]
-    assert more == "... 1 more; --out FILE writes all with every metric"
+    assert more.startswith("... 1 more")
     assert cli.error == f"batch {batch}: done, 20 of 21 done, 1 failed\n"
     whole = json.loads(cli("sweep", scenario, "--grid", "road.seed=0:20:21", "--json", code=1))
     assert (whole["total"], whole["rows"][-1]["reason"]) == (21, "too steep")
 
 
-def test_an_instant_of_a_stored_run_has_the_address_that_shows_it(
-    cli: Cli, prepared: Prepared, monkeypatch: pytest.MonkeyPatch, ridelab: Ridelab
-) -> None:
+def test_an_instant_of_a_stored_run_has_the_address_that_shows_it(cli: Cli, prepared: Prepared) -> None:
     seen = instant(Scenario.model_validate(SHORT), "lv", position=45.0)
     answer = prepared.answers[f"GET /runs/{RUN}/instant"] = as_answer("lv", seen).model_dump_json().encode()
     asked = ("instant", RUN, "--position", "45")  # of the run's first strategy
     *_, blank, address = cli(*asked).splitlines()
     assert (blank, address) == ("", f"{ADDRESS}/r/{RUN}?instant=lv~{round(seen.position, 2):g}")
     assert json.loads(cli(*asked, "--json")) == {"run_id": RUN, **json.loads(answer)}
-    monkeypatch.setattr(Services, "at", lambda services, *_: services.opened.setdefault(None, ridelab))
-    assert ADDRESS not in cli(*asked), "a private service ends with the command"
 
 
 def test_a_sweep_left_alone_is_exported_later(
@@ -173,7 +136,6 @@ def test_a_sweep_left_alone_is_exported_later(
     prepared.answers["POST /links"] = {"slug": SLUG, "url": f"/s/{SLUG}"}
     assert cli("open", batch, "--print") == f"{ADDRESS}/s/{SLUG}\n"
     cli("compare", batch, "paper", code=2)
-    assert "compare takes single runs" in cli.error
 
 
 def test_a_runs_metrics_are_exported_and_a_refusal_leaves_the_file(cli: Cli, tmp_path: Path) -> None:
@@ -199,43 +161,35 @@ def test_links_are_listed_and_taken_back(cli: Cli, prepared: Prepared) -> None:
     assert json.loads(cli("links", "list", "--json")) == [link]
     assert json.loads(cli("links", "revoke", SLUG, address, "--json")) == [{"slug": SLUG}] * 2
     assert [name for name, _ in prepared.asked].count(f"DELETE /links/{SLUG}") == 2
-    prepared.answers["GET /links"] = {"links": [], "next": None}
-    assert cli("links", "list") == ""
     cli("links", "revoke", "A" * 22, code=2)
 
 
 def test_jobs_are_shown_followed_stopped_and_removed(cli: Cli, prepared: Prepared) -> None:
     batch = prepared.job("batch", fields=[{"name": "road.seed"}], strategies=["lv"], created_at="2026-01-02T03:04:05")
     tuning = prepared.job("tuning", "running", limits=[], strategy="lqr", created_at="2026-01-03T03:04:05")
-    job: Any = prepared.answers[f"GET /tunings/{tuning}"]
-    for name, changed in (("POST", "cancelled"), ("POST", "running")):
-        below = "cancel" if changed == "cancelled" else "resume"
-        prepared.answers[f"{name} /tunings/{tuning}/{below}"] = {**job, "state": changed}
     for name, path in (("batches", batch), ("tunings", tuning)):
-        prepared.answers |= {f"DELETE /{name}/{path}": {}, f"PATCH /{name}/{path}": {}}
-        prepared.answers[f"GET /{name}"] = {name: [prepared.answers[f"GET /{name}/{path}"]], "next": None}
+        job: Any = prepared.answers[f"GET /{name}/{path}"]
+        prepared.answers |= {f"DELETE /{name}/{path}": {}, f"PATCH /{name}/{path}": {**job, "label": "winter"}}
+        prepared.answers[f"GET /{name}"] = {name: [job], "next": None}
+        prepared.answers[f"POST /{name}/{path}/cancel"] = {**job, "state": "cancelled"}
+        prepared.answers[f"POST /{name}/{path}/resume"] = {**job, "state": "running"}
     assert json.loads(cli("jobs", "follow", batch, "--json"))["id"] == batch
     assert cli.error == f"batch {batch}: done, 2 of 2 done, 0 failed\n"
     cli("jobs", "follow", tuning, "--timeout", "0", code=3)
-    assert cli.error.startswith(f"The tuning {tuning} is running after 0 s")
-    cli("jobs", "cancel", tuning)
-    assert cli.error.startswith(f"tuning {tuning}: cancelled, ")
-    cli("jobs", "resume", tuning)
-    assert cli.error.startswith(f"tuning {tuning}: running, ")
+    for command, state in (("cancel", "cancelled"), ("resume", "running")):
+        cli("jobs", command, tuning)
+        assert cli.error.startswith(f"tuning {tuning}: {state}, ")
     listed = [line.split()[:3] for line in cli("jobs", "list").splitlines()[1:]]
     assert listed == [["tuning", tuning, "running"], ["batch", batch, "done"]]
     assert json.loads(cli("jobs", "list", "--json"))[0]["kind"] == "tuning"
-    assert len(json.loads(cli("jobs", "list", "--limit", "1", "--json"))) == 1
-    shown = cli("jobs", "show", batch)
-    assert re.search(r"^swept: +road\.seed$", shown, re.MULTILINE)
-    assert f"ridelab export {batch} --wait --out FILE" in shown
-    cli("jobs", "label", batch, "winter")
+    assert f"ridelab export {batch} --wait --out FILE" in cli("jobs", "show", batch)
+    assert json.loads(cli("jobs", "label", batch, "winter", "--json"))["label"] == "winter"
     cli("jobs", "label", batch, "")
     assert prepared.bodies(f"PATCH /batches/{batch}") == [{"label": "winter"}, {"label": None}]
     cli("jobs", "delete", tuning, batch)
     assert cli.error == f"tuning {tuning}: deleted\nbatch {batch}: deleted\n"
+    assert json.loads(cli("jobs", "delete", batch, "--json")) == [{"kind": "batch", "id": batch}]
     cli("jobs", "show", "A" * 22, code=2)
-    assert "no batch or tuning of this id" in cli.error
 
 
 def test_what_a_tuning_is_asked_for(cli: Cli, prepared: Prepared) -> None:
@@ -244,7 +198,6 @@ def test_what_a_tuning_is_asked_for(cli: Cli, prepared: Prepared) -> None:
     objectives = ("--objective", "peaks@whole:1,2,1", "--objective", "bump.front_tyre_load.peak")
     printed = cli("tune", *words, *objectives, "--limit", "comfort.actuator_peak_power=50000", "--detach")
     assert printed == f"{tuning}\n"
-    assert f"ridelab tune --resume {tuning} --server" in cli.error
     (asked,) = prepared.bodies("POST /tunings")
     assert asked.pop("scenario")
     assert asked == {
@@ -262,16 +215,12 @@ def test_what_a_tuning_is_asked_for(cli: Cli, prepared: Prepared) -> None:
     }
 
 
-def test_a_tuning_that_is_done_is_shown_again_or_goes_on(
-    cli: Cli, prepared: Prepared, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+def test_a_tuning_that_is_done_is_shown_again_or_goes_on(cli: Cli, prepared: Prepared) -> None:
     best = {"number": 3, "weights": {"lqr.weights": [2, 1, 1]}}
     tuning = prepared.job("tuning", best=[best], knee=None, scenario=SHORT)
     job: Any = prepared.answers[f"GET /tunings/{tuning}"]
     prepared.answers[f"POST /tunings/{tuning}/resume"] = job
     assert json.loads(cli("tune", "--resume", tuning, "--json", "--out", "tuned.json")) == job
-    assert f"tuned.json: {Path('tuned.json').stat().st_size:,} bytes" in cli.error
     assert json.loads(Path("tuned.json").read_text()) == {**SHORT, "lqr": {"weights": [2, 1, 1]}}
     assert not prepared.bodies(f"POST /tunings/{tuning}/resume"), "nothing is computed"
     cli("tune", "--resume", tuning, "--json", "--trials", "12")
@@ -281,22 +230,11 @@ def test_a_tuning_that_is_done_is_shown_again_or_goes_on(
 def test_where_nothing_keeps_the_limits_the_exit_code_is_1(cli: Cli, prepared: Prepared) -> None:
     tuning = prepared.job("tuning", best=[None], knee=None)
     cli("tune", "--json", code=1)
-    assert f"tuning {tuning}: done" in cli.error
+    assert f"tuning {tuning}: done" in cli.error, "nothing keeps its limits"
     problem = {"type": "urn:problem-type:ridelab:no-solution", "status": 422, "detail": "No value.", "errors": []}
     prepared.answers["POST /solve"] = httpx.Response(422, json=problem)
     cli("solve", "--field", "road.bump.height=0.1:0.2", "--limit", f"{PEAK}=4", "-s", "lv", code=1)
     assert cli.error == "No value.\n"
-
-
-def test_a_solution_says_whether_the_next_value_failed_or_could_not_be_tried(cli: Cli, prepared: Prepared) -> None:
-    for metric_value, beyond in ((5.0, "does not keep the limit"), (None, "could not be tried")):
-        prepared.answers["POST /solve"] = {
-            **{"value": 5, "metric_value": 3.9, "resolution": None, "resolved_value": 5, "runs": 2, "interval": None},
-            **{"bracket": [5, 6], "run_id": RUN, "unit": "1", "metric_unit": "m/s^2", "warnings": []},
-            "tried": [{"value": 6, "metric_value": metric_value, "run_id": None, "reason": None}],
-        }
-        said = cli("solve", "--field", "road.bump.count=1:20", "--limit", f"{PEAK}=4", "-s", "lv")
-        assert f"road.bump.count at most 5; 6 {beyond}\n" in said
 
 
 def test_a_robustness_study_is_a_sweep_of_what_is_uncertain(cli: Cli, prepared: Prepared) -> None:
@@ -306,11 +244,8 @@ def test_a_robustness_study_is_a_sweep_of_what_is_uncertain(cli: Cli, prepared: 
     assert json.loads(cli(*words.split())) == {"batch": batch}
     (asked,) = prepared.bodies("POST /batches")
     cube = asked["sweep"]["latin_hypercube"]
-    assert (asked["strategies"], cube["samples"], cube["ranges"]["mismatch.damping"]) == (
-        ["lv", "passive"],
-        12,
-        [0.5, 1.5],
-    )
+    assert (asked["strategies"], cube["samples"]) == (["lv", "passive"], 12)
+    assert cube["ranges"]["mismatch.damping"] == [0.5, 1.5]
     assert cube["ranges"].keys() == {each.field for each in UNCERTAINTIES} - {"road.seed"}
 
 
@@ -332,20 +267,11 @@ def test_the_shell_completes_names_that_a_service_gave(cli: Cli, monkeypatch: py
         ("sweep -s lv,lq", "lv,lqr"),
         ("compare a b --metric comfort.vib", "comfort.vibration_dose"),
         ("run --set vehicle = va", "van_loaded"),  # as bash splits it
-        ("run --set vehicle =", "van_loaded"),
-        ("run --set = vehicle = va", "van_loaded"),
-        ("run --set road.seed = 3 -s lq", "lqr"),
     ):
         monkeypatch.setenv("COMP_WORDS", "\n".join(["ridelab", *words.split()]))
         monkeypatch.setenv("COMP_CWORD", str(len(words.split())))
         monkeypatch.setattr(options, "completed_field", "")
         assert completed in cli().split(), words
-    monkeypatch.setenv("COMP_WORDS", "ridelab\nrun\n--set\nroad.se")
-    monkeypatch.setenv("COMP_CWORD", "3")
-    assert cli().split() == ["road.seed=", "road.seed=VALUE"], "after one word alone the shell leaves a space"
-    monkeypatch.setenv("COMP_WORDS", "ridelab\nrun\n--set\nroad.seed\n=\nva")
-    monkeypatch.setenv("COMP_CWORD", "5")
-    assert cli().split() == [], "only vehicles have names"
 
 
 @pytest.mark.parametrize(("words", "found"), SEARCHES.items())
@@ -363,14 +289,8 @@ def test_names_are_listed_with_what_a_script_needs(cli: Cli) -> None:
     assert (height["unit"], height["default"], height["minimum"], height["maximum"]) == ("m", 0.1, -1, 1)
     assert (clearance["default"], clearance["minimum"]) == (None, 0.005)
     assert "kerb" in listed["road.bump.shape"]["choices"]
-    assert [line.split()[0] for line in cli("fields", "STAGE", "uniform").splitlines()[1:]] == [
-        "mpc.stage_weights.cruise"
-    ]
     assert cli("vehicles") == cli("vehicle")
     assert {each["name"] for each in json.loads(cli("vehicles", "--json"))} == set(VEHICLES)
     assert cli("presets", "watts", "circular").count("watts_hump") == 1
     assert {each["name"] for each in json.loads(cli("problems", "--json"))} == set(KINDS)
-    cli("run", "papr", code=2)
-    assert "nor an address; perhaps paper" in cli.error
     cli("strategies", "no", "such", code=2)
-    assert "Nothing here has no and such" in cli.error

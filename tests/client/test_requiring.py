@@ -1,7 +1,6 @@
 """`--require`: what is sent for what is typed, the exit codes, and the file for a CI system."""
 
 import json
-import sys
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -47,25 +46,9 @@ def test_what_is_typed_is_sent_in_the_metrics_own_unit(cli: Cli, prepared: Prepa
     ]
 
 
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        (f"{PEAK}=3", f"--require takes METRIC<LIMIT or METRIC>LIMIT or a file, and {PEAK}=3 is none"),
-        (f"{PEAK}<3 kg", f"{PEAK}: 3 kg is not understood: it takes m/s^2 or g"),
-        ("bump.peek<3m", "bump.peek: there is no such name"),
-        (f"{PEAK}>-20%", f"{PEAK}: a change has an upper limit, such as {PEAK}<-20%"),
-    ],
-)
-def test_what_is_none_is_said(cli: Cli, prepared: Prepared, text: str, message: str) -> None:
-    cli("run", "--require", text, code=2)
-    assert cli.error.startswith(message)
-    assert not prepared.bodies("POST /runs")
-
-
 def test_the_exit_code_is_1_where_one_fails_and_uncertain_fails_with_strict(
-    cli: Cli, outcomes: dict[str, dict[str, Any]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    cli: Cli, outcomes: dict[str, dict[str, Any]], tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
     peak = outcomes["lv"]["metrics"]["bump"]["body_acceleration"]["peak"]
     run = ("run", "-s", "lv,passive", "--require")
     assert "pass" in cli(*run, f"{PEAK}<{1.01 * peak}")
@@ -74,14 +57,11 @@ def test_the_exit_code_is_1_where_one_fails_and_uncertain_fails_with_strict(
     several = (*run, f"{PEAK}<{1.05 * peak}", "--require", "travel_time>0", "--roads", "2")
     for options, code, of_uncertain in (((), 0, "skipped"), (("--strict",), 1, "failure")):
         assert "uncertain" in cli(*several, "--junit", file, *options, code=code)
-        assert f"{file}: {file.stat().st_size:,} bytes" in cli.error
         suite = ElementTree.parse(file).getroot()  # noqa: S314  # written here
         assert (suite.get("tests"), suite.get("failures")) == ("2", str(code))
         uncertain, passed = suite.iter("testcase")
         assert [child.tag for child in uncertain] == [of_uncertain]
         assert (uncertain.get("classname"), list(passed)) == ("ridelab.lv", [])
-    cli("run", "--junit", file, code=2)
-    assert cli.error.startswith("--junit writes what becomes of requirements")
 
 
 def test_runs_of_a_sweep_that_could_not_be_computed_are_errors_beside_its_failures(
@@ -90,37 +70,22 @@ def test_runs_of_a_sweep_that_could_not_be_computed_are_errors_beside_its_failur
     file, batch = tmp_path / "junit.xml", prepared.job("batch", total=5, fields=[])
     prepared.answers[f"GET /batches/{batch}/results"] = {"rows": []}
     first, worst = ({"run": run, "value": 2.0 + run, "at": {"road.bump.height": run / 10}} for run in (1, 2))
-    none = {"first_failure": None, "worst_failure": None, "reason": None}
-    held = {"metric": PEAK, "max": 2.0, "min": None, "max_change": None, "baseline": None, "result": "fail", **none}
-    counts = {"pass": 1, "fail": 0, "not_computed": 4, "unfinished": 0}
-    failing = {"first_failure": first, "worst_failure": worst}
+    none = {"min": None, "max_change": None, "baseline": None}
+    held = {"metric": PEAK, "max": 2.0, "result": "fail", "first_failure": None, "worst_failure": None, **none}
+    some = {"pass": 1, "fail": 2, "not_computed": 2, "unfinished": 0}
     prepared.answers[f"GET /batches/{batch}/requirements"] = {
         "requirement_results": [
-            {**held, "strategy": "mine", "counts": counts, "reason": "No force"},
-            {**held, "strategy": "lqr", "counts": {**counts, "fail": 2, "not_computed": 2}, **failing, "reason": "X"},
-            {**held, "strategy": "lv", "counts": {**counts, "fail": 4, "not_computed": 0}, **failing},
-            {**held, "strategy": "passive", "counts": {**counts, "fail": 4, "not_computed": 0}, **failing}
-            | {"worst_failure": first},
+            {**held, "strategy": "mine", "counts": {**some, "fail": 0, "not_computed": 4}, "reason": "No force"},
+            {**held, "strategy": "lqr", "counts": some, "first_failure": first, "worst_failure": worst, "reason": "X"},
         ]
     }
-    sweep = ("sweep", "--grid", "road.bump.height=0:0.4:5", "--require", f"{PEAK}<2", "--junit", file)
-    lines = cli(*sweep, code=1).splitlines()[-4:]
-    places = "the first at road.bump.height=0.1 with 3 m/s^2", ", the worst at road.bump.height=0.2 with 4 m/s^2"
-    said = [
-        "1 of 5 runs pass; 4 not computed",
-        f"2 of 5 runs fail, {''.join(places)}; 2 not computed",
-        f"4 of 5 runs fail, {''.join(places)}",
-        f"4 of 5 runs fail, {places[0]}",
-    ]
-    assert [line.rpartition("  ")[2] for line in lines] == said
+    printed = cli("sweep", "--grid", "road.bump.height=0:0.4:5", "--require", f"{PEAK}<2", "--junit", file, code=1)
+    assert "1 of 5 runs pass; 4 not computed" in printed
+    place = "the first at road.bump.height=0.1 with 3 m/s^2, the worst at road.bump.height=0.2 with 4 m/s^2"
+    assert f"2 of 5 runs fail, {place}; 2 not computed" in printed
     suite = ElementTree.parse(file).getroot()  # noqa: S314  # written here
-    assert {name: suite.get(name) for name in ("failures", "errors")} == {"failures": "3", "errors": "2"}
-    assert [[(child.tag, child.get("message")) for child in case] for case in suite] == [
-        [("error", "4 of 5 runs not computed: No force")],
-        [("failure", said[1].partition(";")[0]), ("error", "2 of 5 runs not computed: X")],
-        [("failure", said[2])],
-        [("failure", said[3])],
-    ]
+    assert (suite.get("failures"), suite.get("errors")) == ("1", "2")
+    assert [[child.tag for child in case] for case in suite] == [["error"], ["failure", "error"]]
 
 
 def test_the_second_of_two_results_is_held_to_limits(
@@ -132,20 +97,12 @@ def test_the_second_of_two_results_is_held_to_limits(
     saved.write_text(json.dumps(run))
     peak = outcomes["lv"]["metrics"]["bump"]["body_acceleration"]["peak"]
     compare = ("compare", saved, saved, "--junit", file)
-    assert "pass" in cli(*compare, "--require", f"{PEAK}<{1.01 * peak}")
     assert "fail" in cli(*compare, "--require", f"{PEAK}<{0.99 * peak}", code=1)
     cases = list(ElementTree.parse(file).getroot())  # noqa: S314  # written here
-    assert [(case.get("classname"), [child.tag for child in case]) for case in cases] == [
-        ("ridelab.lv", []),
-        ("ridelab.passive", []),
-        ("ridelab.lv", ["failure"]),
-    ]
+    assert [[child.tag for child in case] for case in cases] == [[], [], ["failure"]], "the differences come first"
     run["strategies"]["passive"]["travel_time"] += 1
     other = tmp_path / "other.json"
     other.write_text(json.dumps({**run, "id": "A" * 22}))
     cli("compare", saved, other, "--junit", file, code=1)
-    failure = ElementTree.parse(file).find("testcase[@classname='ridelab.passive']/failure")  # noqa: S314
-    assert failure is not None
-    assert "travel_time" in failure.get("message", "")
+    assert ElementTree.parse(file).find("testcase[@classname='ridelab.passive']/failure") is not None  # noqa: S314
     cli("compare", saved, other, "--require", f"{PEAK}<9", code=2)
-    assert "--require cannot hold it to a limit" in cli.error
