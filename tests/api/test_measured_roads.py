@@ -181,7 +181,8 @@ def test_what_cannot_be_driven_names_its_field(
     wrong = {"road": {**scenario["road"], **road}}
     answers = [service.run(["passive"], wrong), service.live(["passive"], wrong)]
     if "length" not in road:
-        body = {"scenario": wrong, "strategies": ["passive"], "sweep": {"grid": {"road.bump.height": [0, 0.1]}}}
+        sweep = {"grid": {"road.bump.height": [0, 0.1]}}
+        body: dict[str, Any] = {"scenario": wrong, "strategies": ["passive"], "sweep": sweep}
         answers.append(service.post("/api/v1/batches", json={**body, "dry_run": True}))
     for answer in answers:
         assert answer.status_code == 422
