@@ -14,7 +14,6 @@ import pytest
 from backend.__main__ import main
 from backend.ecu import build, effort, export, firmware, tables
 from backend.ecu.link import connected
-from backend.ecu.report import ControllerVariant
 from benchmarks.cortex_m3 import CortexM3
 from benchmarks.ecu import RecordedDrive
 from sim_core import Bump, Hil, Mpc, Road, Scenario, Speed, simulate
@@ -65,16 +64,6 @@ def test_the_zip_builds_with_its_own_makefile_and_drives_bit_for_bit_like_ridela
     assert event(exported, "qp_failures") > 0
 
 
-def test_the_rest_of_ridelabs_program_compiles_without_a_warning_too(tmp_path: Path) -> None:
-    """Warnings are for us: a compiler we do not know may have others, and shall build it all the same."""
-    options = [*build.FLAGS, "-Wall", "-Wextra", "-Werror", f"-I{SOURCES}", f"-I{SOURCES / 'host'}"]
-    source = SOURCES / "host" / "ridelab_loaded.c"
-    assert (
-        build.compiled([*build.compilers()[0], *options, "-c", str(source), "-o", str(tmp_path / "o")], tmp_path)
-        is None
-    )
-
-
 def test_the_c_code_keeps_the_habits_it_claims() -> None:
     """No library but the compiler's own, no dynamic memory, no double."""
     for name in export.CONTROLLER:
@@ -109,12 +98,6 @@ def test_on_the_parts_processor_it_does_the_same_in_the_cycles_the_report_takes(
         assert abs(spent.cycles / (operations * effort.CYCLES_PER_OPERATION) - 1) <= effort.SPREAD
         assert spent.stack <= effort.STM32F103.stack
         assert spent.instructions < spent.cycles < 2 * spent.instructions
-
-
-def test_a_variant_is_never_more_than_the_scenarios_own() -> None:
-    changed = ControllerVariant(prediction=20, control=10, iterations=4).of(SMALL)
-    assert (changed.mpc.prediction_horizon, changed.mpc.control_horizon, changed.hil.iterations) == (10, 6, 4)
-    assert ControllerVariant().of(SMALL) == SMALL
 
 
 def test_a_program_that_is_none_of_the_scenarios_is_refused(

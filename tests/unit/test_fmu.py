@@ -3,7 +3,6 @@
 import io
 import subprocess
 import zipfile
-from collections.abc import Sequence
 from copy import copy
 from pathlib import Path
 from typing import Any
@@ -13,7 +12,7 @@ import numpy as np
 import pytest
 from fmpy.validation import validate_fmu
 
-from backend.ecu.build import compiled, compilers
+from backend.ecu.build import compilers
 from backend.fmu.archive import fmu
 from backend.fmu.description import Version
 from sim_core import STRATEGIES, Controller, FloatArray, RidelabError, Scenario, Seen, Setup, simulate
@@ -88,7 +87,7 @@ def inputs(seen: Seen, sample_time: float) -> dict[str, float]:
     return values
 
 
-@pytest.mark.parametrize(("version", "parts"), [("2.0", SMALL), ("3.0", SMALL), ("3.0", TOGETHER)])
+@pytest.mark.parametrize(("version", "parts"), [("2.0", SMALL), ("3.0", TOGETHER)])
 def test_a_linear_law_gives_the_forces_of_our_run_in_whatever_steps_it_is_driven(
     version: Version, parts: dict[str, Any], tmp_path: Path
 ) -> None:
@@ -105,24 +104,6 @@ def test_a_linear_law_gives_the_forces_of_our_run_in_whatever_steps_it_is_driven
     most = max(np.abs(wanted).max() for _, wanted in seen)
     assert most == 1000, "the limit was met"
     assert max(differences) < ROUNDING * most
-
-
-def test_what_was_compiled_once_is_not_compiled_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    commands = []
-
-    def counted(command: Sequence[str], *more: Any) -> str | None:
-        commands.append(command)
-        return compiled(command, *more)
-
-    def made(steps: int) -> bytes:
-        lqr = {"preview": "lookahead", "preview_horizon": steps}
-        return fmu(Scenario.model_validate(SMALL | {"lqr": lqr}), "lqr", "controller", "2.0", ["linux64"])
-
-    monkeypatch.setattr("backend.fmu.binaries.compiled", counted)
-    assert made(7) == made(7)
-    assert len(commands) == 1
-    made(8)
-    assert len(commands) == 2
 
 
 @pytest.mark.parametrize("parts", [SMALL, TOGETHER], ids=["in turn", "together"])

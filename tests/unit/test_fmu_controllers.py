@@ -141,7 +141,7 @@ CHANGED = {
     'fmiVersion="2.0"': ('fmiVersion="1.0"', "It is of FMI 1.0"),
     "CoSimulation": ("ModelExchange", "for model exchange alone"),
     "<?xml version='1.0' encoding='UTF-8'?>": ('<?xml version="1.0"?><!DOCTYPE a [<!ENTITY b "c">]>', "document type"),
-    'name="state[2]"': ('name="deflection[2]"', "Its input deflection[2] is none that Ridelab gives"),
+    'name="state[2]"': ('name="deflection[2]"', r"Its input deflection\[2\] is none that Ridelab gives"),
     "</fmiModelDescription>": ("", "not well-formed"),
     'valueReference="3"': ('valueReference="x"', "a value reference or a number that is none"),
     'modelIdentifier="ridelab_lqr"': ('modelIdentifier="../lqr"', "no C identifier"),
@@ -164,11 +164,8 @@ def rewritten(exported: Path, to: Path, *, old: str = "", new: str = "", **names
 @pytest.mark.parametrize("old", list(CHANGED))
 def test_a_description_that_does_not_fit_is_told(exported: Path, tmp_path: Path, old: str) -> None:
     new, said = CHANGED[old]
-    file = rewritten(exported, tmp_path / "changed.fmu", old=old, new=new)
-    with pytest.raises(RidelabError) as caught:
-        load_controllers(file)
-    assert caught.value.message.startswith(f"{file}: ")
-    assert said in caught.value.message
+    with pytest.raises(RidelabError, match=f"changed.fmu: .*{said}"):
+        load_controllers(rewritten(exported, tmp_path / "changed.fmu", old=old, new=new))
 
 
 @pytest.mark.parametrize(
@@ -205,7 +202,7 @@ def test_an_unpacked_library_that_the_disk_changed_is_unpacked_again(exported: P
 def test_what_is_no_zip_is_told(tmp_path: Path) -> None:
     file = tmp_path / "law.fmu"
     file.write_bytes(b"no zip")
-    with pytest.raises(RidelabError, match="It is no zip that can be read"):
+    with pytest.raises(RidelabError, match="no zip"):
         load_controllers(file)
 
 

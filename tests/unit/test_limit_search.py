@@ -1,6 +1,5 @@
 """The search for a limit by itself, on functions with a closed-form answer."""
 
-import itertools
 import math
 from collections.abc import Callable
 
@@ -8,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from backend.runs.solve.limit_search import MAX_VALUES, Axis, alike, bracket, next_indices, spans_over, turning_points
+from backend.runs.solve.limit_search import MAX_VALUES, Axis, alike, bracket, next_indices
 
 Function = Callable[[float], float]
 
@@ -82,16 +81,6 @@ def test_whole_numbers_stay_whole_and_few_are_all_tried() -> None:
     assert solved(1, 5, 0.3, lambda x: x / 10, whole=True) == (3, 4)
 
 
-def test_none_keeps_the_limit() -> None:
-    axis = Axis.of(10, 60, whole=False)
-    assert bracket(axis, 5, search(axis, 5, lambda x: x))[0] is None
-
-
-def test_brents_method_takes_fewer_values_than_bisection() -> None:
-    axis = Axis.of(0, 0.2, whole=False)
-    assert len(search(axis, 5, lambda x: 61.2 * x)) - len(axis.scan) <= 3, "bisection takes seven"
-
-
 @given(
     st.floats(-100, 100),
     st.floats(1e-3, 1e4),
@@ -106,20 +95,3 @@ def test_every_rising_metric_is_bracketed_within_a_thousandth(
     below, above = solved(low, high, 0, lambda x: math.copysign(abs(x - root) ** power, x - root) - 1e-300)
     assert below <= root <= above or above == high
     assert above - below <= width / 1000 * (1 + 1e-6)
-
-
-@given(st.floats(-1e4, 1e4).map(lambda low: round(low, 3)), st.floats(1e-9, 1))
-def test_the_values_of_a_narrow_range_rise(low: float, share: float) -> None:
-    axis = Axis.of(low, low + share * max(abs(low), 1e-3) * 1.01, whole=False)
-    indices = sorted({*axis.scan, 1, 2, axis.last - 2, axis.last - 1})
-    values = [axis.value(index) for index in indices]
-    assert all(before < after for before, after in itertools.pairwise(values))
-
-
-def test_where_a_metric_turns_and_where_it_is_over_the_limit() -> None:
-    bounds = dict(enumerate([1.0, 3.0, 4.0, 3.99, 4.2, 2.0, 1.0, 5.0, 5.01, 5.0]))
-    assert turning_points(bounds, 0.005) == [0, 4, 6, 8]
-    assert turning_points({0: 1.0, 1: 2.0, 2: 1.999, 3: 3.0}, 0.005) == [0, 3]
-    assert len(turning_points(dict.fromkeys(range(5), 1.0), 0.005)) == 1
-    assert spans_over(3.5, bounds, 6) == [(2, 4)]
-    assert spans_over(2.5, bounds, 9) == [(1, 4), (7, 8)]

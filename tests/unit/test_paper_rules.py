@@ -1,7 +1,6 @@
 """The paper's numbers as we hold them, and the rules of a verdict: rules are pinned, verdicts are not."""
 
 import json
-import re
 from math import inf, nan
 from pathlib import Path
 
@@ -18,7 +17,6 @@ from backend.paper.interpretations import (
     INTERPRETATIONS,
     NEAREST,
     OPEN_QUESTIONS,
-    OURS,
     interpretation_of,
 )
 from backend.paper.paper_rows import compute_row
@@ -28,7 +26,6 @@ from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.errors import UnknownNameError
 from sim_core.scenario.dotted import field
 from sim_core.scenario.presets import preset
-from sim_core.strategies import STRATEGIES, values_read
 from tests.docs.causes import least_change
 
 COPY = json.loads((Path(__file__).parents[1] / "data" / "paper_tables.json").read_text())
@@ -71,10 +68,7 @@ def test_the_misprints_are_those_that_do_not_follow_from_the_absolutes() -> None
         (-25.0, -25.0, Verdict.REACHED),
         (-25.0, -60.0, Verdict.REACHED),
         (-25.0, -24.999, Verdict.SMALLER),
-        (-25.0, -1e-9, Verdict.SMALLER),
         (-25.0, 0.0, Verdict.CONTRADICTS),
-        (-25.0, 30.0, Verdict.CONTRADICTS),
-        (8.45, 8.45, Verdict.REACHED),
         (8.45, 3.0, Verdict.SMALLER),
         (8.45, -9.0, Verdict.CONTRADICTS),
         (8.45, nan, Verdict.CONTRADICTS),
@@ -88,10 +82,8 @@ def test_the_rule(claim: float, ours: float, expected: Verdict) -> None:
 @pytest.mark.parametrize(
     ("ours", "expected"),
     [
-        (0.0, Verdict.REACHED),
         (8.0, Verdict.REACHED),
         (-8.0, Verdict.REACHED),
-        (8.01, Verdict.CONTRADICTS),
         (-8.01, Verdict.CONTRADICTS),
         (nan, Verdict.CONTRADICTS),
     ],
@@ -149,19 +141,7 @@ def test_every_reading_changes_fields_that_exist_and_the_first_choice_is_ours() 
             scenario_for(unknown, 1)
 
 
-def test_each_choice_names_its_place_in_the_paper_or_is_ours() -> None:
-    for reading in OPEN_QUESTIONS.values():
-        for choice in reading.choices:
-            assert choice.source == OURS or re.search(r"Eq\. \d|[Ss]ection \d|Table \d", choice.source), choice
-            assert "literal" not in choice.label + choice.source + reading.description
-
-
 def test_the_named_sets() -> None:
-    assert {name: item.choices[claims.WINDOW] for name, item in INTERPRETATIONS.items()} == {
-        "default": "to_bump",
-        "favourable": "full_course",
-        "nearest": "to_bump",
-    }
     scenario = scenario_for(FAVOURABLE.choices, 1)
     assert scenario.vehicle.cg_height == 0
     assert (scenario.mpc.force_limit, scenario.mpc.sample_time, scenario.mpc.deflection_limit) == (20_000, 0.005, 0.1)
@@ -169,18 +149,6 @@ def test_the_named_sets() -> None:
     assert scenario_for(NEAREST.choices, 1) == preset("paper_nearest")
     assert [interpretation_of(item.choices) for item in INTERPRETATIONS.values()] == list(INTERPRETATIONS)
     assert interpretation_of(FAVOURABLE.choices | {"force_limit": "10"}) is None
-
-
-def test_a_count_is_split_and_agreement_counts_what_we_simulate() -> None:
-    """LV at half of all others, in the ECU too: ours is 0 % between those two, -50 % or +100 % elsewhere."""
-    judged = judge(values_of({"lv": 0.5, "lv_hil": 0.5}))
-    simulated, in_ecu = claims.split(judged)
-    assert (len(simulated), len(in_ecu)) == (40, 8)
-    assert {item.cell.strategy for item in in_ecu} == {"lv_hil"}
-    assert {item.verdict for item in in_ecu} == {Verdict.REACHED}
-    # Near 0 %: -7.54, +8.45 and -2.77; near -50 %: -47.9, -43.6 and -44.7, but not -39.9; none is just that.
-    agreement = answers.agreement(judged)
-    assert (agreement.cells, agreement.within, agreement.in_interval) == (40, 6, 0)
 
 
 @pytest.mark.parametrize(
@@ -208,14 +176,6 @@ def test_load_transfer_bounds_the_front_tyre_under_every_controller() -> None:
         assert rms[name] == pytest.approx(rms["speed_only"], rel=0.03), name
 
 
-def test_the_paper_s_strategies_are_among_the_combinations() -> None:
-    named = {variant.known_as: variant for variant in VARIANTS if variant.known_as}
-    assert set(named) == {"passive", "speed_only", "lqr", "lv"}
-    for name, variant in named.items():
-        assert values_read(variant.scenario(3), STRATEGIES[name]) == values_read(scenario_for({}, 3), STRATEGIES[name])
-    assert len({variant.id for variant in VARIANTS}) == len(VARIANTS) == 26
-
-
 def test_shares_add_up_and_are_right_where_factors_multiply() -> None:
     """Where factors multiply, a factor's share is that of its logarithm, in any order: a known answer."""
     factors = {"speed": 0.5, "preview": 0.8, "switching": 1.25}
@@ -240,6 +200,18 @@ def test_a_row_is_the_same_by_the_name_that_older_versions_stored() -> None:
     row, older = (compute_row(scenario, name, "key") for name in ("passive", "paper.passive"))
     assert (row.status, row.json) == (older.status, older.json)
     assert row.status == "ok"
+
+
+def test_a_count_is_split_and_agreement_counts_what_we_simulate() -> None:
+    """LV at half of all others, in the ECU too: ours is 0 % between those two, -50 % or +100 % elsewhere."""
+    judged = judge(values_of({"lv": 0.5, "lv_hil": 0.5}))
+    simulated, in_ecu = claims.split(judged)
+    assert (len(simulated), len(in_ecu)) == (40, 8)
+    assert {item.cell.strategy for item in in_ecu} == {"lv_hil"}
+    assert {item.verdict for item in in_ecu} == {Verdict.REACHED}
+    # Near 0 %: -7.54, +8.45 and -2.77; near -50 %: -47.9, -43.6 and -44.7, but not -39.9; none is just that.
+    agreement = answers.agreement(judged)
+    assert (agreement.cells, agreement.within, agreement.in_interval) == (40, 6, 0)
 
 
 def test_a_distance_is_a_factor_either_way() -> None:
