@@ -21,12 +21,9 @@ VARIABLE = re.compile(r"\$\{(\w+):-([^}]*)\}")
 class Topology(Ends):
     """Proxy, two replicas of the API, PostgreSQL, a Dask scheduler and two workers; whatever dies is started again."""
 
-    def __init__(
-        self, folder: Path, postgres: Postgres, *, encrypted: bool = True, port: int | None = None, **variables: str
-    ) -> None:
+    def __init__(self, folder: Path, postgres: Postgres, *, port: int | None = None, **variables: str) -> None:
         self.folder = folder
         self._database_port = port or postgres.port  # at which the replicas ask it
-        self.encrypted = encrypted
         self.database = postgres.new_database()
         self._variables = variables
         self._scheduler_port = reserved_port()
@@ -46,11 +43,6 @@ class Topology(Ends):
     def programs(self) -> list[Program]:
         """All of it but the database."""
         return [self.proxy, *self.replicas, *self.workers, self.scheduler]
-
-    @property
-    def logs(self) -> str:
-        """The end of what each of them said."""
-        return "\n".join(f"--- {program.name}\n{program.log[-3000:]}" for program in self.programs)
 
     def replica_url(self, number: int) -> str:
         """One replica's own address, past the proxy."""
@@ -92,9 +84,6 @@ class Topology(Ends):
             words[words.index("0.0.0.0")] = "127.0.0.1"  # noqa: S104 - what a container listens on
             words[words.index("8000")] = str(self._ports[number - 1])
             environment |= {"RIDELAB_DATABASE_URL": self._passwordless, "RIDELAB_DATA_DIR": str(self.folder / name)}
-        if not self.encrypted:
-            environment = {key: value for key, value in environment.items() if "_TLS_" not in key}
-            environment["DASK_DISTRIBUTED__COMM__REQUIRE_ENCRYPTION"] = "false"
         return Program(name, words, folder=self.folder, environment=environment | self._variables, restart=True)
 
     def _here(self, value: str) -> str:
@@ -107,8 +96,6 @@ class Topology(Ends):
             "--port=8786": f"--port={self._scheduler_port}",
             "127.0.0.1:8787": "127.0.0.1:0",
         }
-        if not self.encrypted:
-            here |= {"tls://": "tcp://", "--protocol=tls": "--protocol=tcp"}
         value = VARIABLE.sub(lambda match: self._variables.get(match[1], match[2]), value)
         return re.sub("|".join(map(re.escape, here)), lambda match: here[match[0]], value)
 

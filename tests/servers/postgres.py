@@ -24,14 +24,9 @@ SETTINGS = {"fsync": "off", "full_page_writes": "off", "max_connections": "200",
 
 
 class Postgres:
-    """A server that a test may stop, start and kill; the port stays the same.
+    """A server that a test may stop, start and kill; the port stays the same."""
 
-    Args:
-        settings: In place of those of SETTINGS.
-    """
-
-    def __init__(self, **settings: str) -> None:
-        self._settings = SETTINGS | settings
+    def __init__(self) -> None:
         # Not in pytest's folder: that one only root may enter, and PostgreSQL does not run as root.
         self.folder = Path(tempfile.mkdtemp(prefix="ridelab-postgres-"))
         self.port = reserved_port()
@@ -56,7 +51,7 @@ class Postgres:
         """Start, and wait until it answers; nothing where it runs already."""
         if self.running:
             return
-        options = [f"-c{name}={value}" for name, value in self._settings.items()]
+        options = [f"-c{name}={value}" for name, value in SETTINGS.items()]
         command = [program("postgres"), "-D", str(self.folder / "data"), "-h127.0.0.1", f"-p{self.port}", *options]
         with (self.folder / "log").open("ab") as log:
             self._process = subprocess.Popen(command, cwd=self.folder, stdout=log, stderr=log, **self._as_user)
