@@ -141,24 +141,3 @@ def test_a_link_opens_as_what_it_pins(ridelab: Ridelab, prepared: Prepared, kind
     opened = ridelab.open_link(SLUG)
     assert (opened.kind, opened.view, opened.current_core_version) == (kind, {"zoom": [1.0, 2.5]}, "2")
     assert (opened.run is None, opened.batch is None) == (kind == "batch", kind == "run")
-
-
-def test_a_tuning_counts_its_trials(ridelab: Ridelab, prepared: Prepared) -> None:
-    trials = {"total": 8, "done": 7, "failed": 1, "feasible": 5}
-    tuning = prepared.job("tuning", trials=trials, paper={"number": 0}, knee=None)
-    prepared.answers[f"GET /tunings/{tuning}/trials"] = {"trials": [{"number": 0}]}
-    found = ridelab.tune({"strategy": "lqr"})
-    assert (found.total, found.done, found.failed, found.feasible) == (8, 7, 1, 5)
-    assert found.trials() == [found.paper]
-    assert found.knee is None
-
-
-def test_a_solution_is_typed(ridelab: Ridelab, prepared: Prepared) -> None:
-    numbers = {"value": 0.064, "metric_value": 3.99, "resolution": 7.0, "resolved_value": 0.06, "runs": 20}
-    words = {"run_id": RUN, "unit": "m", "metric_unit": "m/s^2", "warnings": [], "tried": []}
-    prepared.answers["POST /solve"] = {**numbers, **words, "interval": interval(3, 0.99), "bracket": [0.064, 0.0641]}
-    solution = ridelab.solve(SHORT, "passive", "road.bump.height", (0.01, 0.2), PEAK, 4, roads=2)
-    assert (solution.value, solution.bracket) == (0.064, (0.064, 0.0641))
-    assert isinstance(solution.interval, Interval)
-    (asked,) = prepared.bodies("POST /solve")
-    assert (asked["field"], asked["range"], asked["limit"], asked["roads"]) == ("road.bump.height", [0.01, 0.2], 4, 2)

@@ -1,7 +1,7 @@
 """The client's rules, against prepared answers: which requests it repeats, for how long, and its messages."""
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import httpx
@@ -45,6 +45,12 @@ class Answering:
         client = httpx.Client(base_url="http://ridelab.test", transport=httpx.MockTransport(self))
         return Http(client, retries=retries, sleep=self.slept.append)
 
+    def ridelab(self) -> Ridelab:
+        """A client that never really waits."""
+        ridelab = Ridelab("http://ridelab.test", transport=httpx.MockTransport(self))
+        ridelab._http.sleep = self.slept.append
+        return ridelab
+
 
 def full(after: str | None = None) -> httpx.Response:
     return httpx.Response(503, json=FULL, headers={} if after is None else {"Retry-After": after})
@@ -57,15 +63,15 @@ def test_a_full_service_is_asked_again_when_it_says() -> None:
     assert service.slept == [7, 2]
 
 
-@pytest.mark.parametrize(
-    "answers",
-    [
-        pytest.param([full()], id="it names no time"),
-        pytest.param([full(f"{LONGEST_WAIT + 1:.0f}")], id="later than anybody waits"),
-        pytest.param([full("1"), full("1"), full("1")], id="as often as allowed"),
-        pytest.param([full(f"{LONGEST_WAIT - 1:.0f}"), full("2")], id="longer than allowed all together"),
-    ],
-)
+GIVEN_UP = {
+    "it names no time": [full()],
+    "later than anybody waits": [full(f"{LONGEST_WAIT + 1:.0f}")],
+    "as often as allowed": [full("1"), full("1"), full("1")],
+    "longer than allowed all together": [full(f"{LONGEST_WAIT - 1:.0f}"), full("2")],
+}
+
+
+@pytest.mark.parametrize("answers", GIVEN_UP.values(), ids=GIVEN_UP)
 def test_it_gives_up(answers: list[httpx.Response]) -> None:
     service = Answering(*answers)
     with pytest.raises(RidelabAPIError) as caught:
@@ -171,102 +177,73 @@ def test_a_file_is_whole_or_not_touched(tmp_path: Path) -> None:
     assert {path.name for path in tmp_path.iterdir()} == {"a.csv"}
 
 
-Handler = Callable[[httpx.Request], httpx.Response]
+def batch_answer(state: str, done: int = 0, **more: object) -> httpx.Response:
+    answer = {"id": "b" * 22, "state": state, "reason": None, "total": 4, "done": done, "failed": 0}
+    return httpx.Response(200, json={**answer, **more})
 
 
-def patient(handler: Handler) -> Ridelab:
-    """A client that never really waits."""
-    ridelab = Ridelab("http://ridelab.test", transport=httpx.MockTransport(handler))
-    ridelab._http.sleep = lambda _: None
-    return ridelab
+def submit(ridelab: Ridelab, key: str | None = None) -> Batch:
+    return ridelab.submit({}, ["lv"], {"grid": {"road.seed": [1, 2, 3, 4]}}, idempotency_key=key)
 
 
-def batch_answer(state: str, done: int = 0) -> dict[str, object]:
-    return {"id": "b" * 22, "state": state, "reason": None, "total": 4, "done": done, "failed": 0}
-
-
-def follow(handler: Handler) -> list[tuple[str, int]]:
+def follow(service: Answering) -> list[tuple[str, int]]:
     """The events of a batch until its end."""
     heard = []
-    with patient(handler) as ridelab:
-        batch = ridelab.submit({}, ["lv"], {"grid": {"road.seed": [1, 2, 3, 4]}})
+    with service.ridelab() as ridelab:
+        batch = submit(ridelab)
         assert batch.follow(lambda batch: heard.append((batch.state, batch.done))) is batch
         assert batch.finished
     return heard
 
 
+def events(number: int, state: str, done: int) -> httpx.Response:
+    """A stream that breaks off after one event and a part of the next."""
+    data = json.dumps({"state": state, "done": done, "failed": 0, "total": 4})
+    return httpx.Response(200, text=f"id: {number}\nevent: state\ndata: {data}\n\nid: 99\ndata: cut")
+
+
 def test_a_broken_stream_of_events_goes_on_where_it_was() -> None:
-    after: list[str | None] = []
-
-    def handler(request: httpx.Request) -> httpx.Response:
-        if request.method == "POST":
-            return httpx.Response(202, json=batch_answer("queued"))
-        if not request.url.path.endswith("/events"):
-            return httpx.Response(200, json=batch_answer("done" if len(after) > 1 else "running", 2 * len(after)))
-        after.append(request.headers.get("Last-Event-ID"))
-        state, done = ("running", 1) if len(after) == 1 else ("done", 4)
-        data = json.dumps({"state": state, "done": done, "failed": 0, "total": 4})
-        return httpx.Response(200, text=f"id: {10 + len(after)}\nevent: state\ndata: {data}\n\nid: 99\ndata: cut")
-
-    heard = follow(handler)
-    assert after == [None, "11"]
-    assert heard == [("running", 1), ("running", 2), ("done", 4)]
+    service = Answering(batch_answer("queued"), events(11, "running", 1), batch_answer("running", 2))
+    service.answers += [events(12, "done", 4), batch_answer("done", 4)]
+    assert follow(service) == [("running", 1), ("running", 2), ("done", 4)]
+    streams = [request for request in service.requests if request.url.path.endswith("/events")]
+    assert [request.headers.get("Last-Event-ID") for request in streams] == [None, "11"]
 
 
 def test_without_events_it_polls_and_outlives_a_restart() -> None:
-    polls = 0
-
-    def handler(request: httpx.Request) -> httpx.Response:
-        nonlocal polls
-        if request.method == "POST":
-            return httpx.Response(202, json=batch_answer("queued"))
-        if request.url.path.endswith("/events"):
-            return httpx.Response(404, json={**FULL, "status": 404})
-        polls += 1
-        if polls == 2:
-            raise httpx.RemoteProtocolError("restarting")
-        if polls == 3:
-            return httpx.Response(503, json=FULL)
-        return httpx.Response(200, json=batch_answer("done" if polls > 4 else "running", min(polls, 4)))
-
-    assert follow(handler) == [("running", 1), ("running", 4), ("done", 4)]
+    service = Answering(batch_answer("queued"), httpx.Response(404, json={**FULL, "status": 404}))
+    service.answers += [batch_answer("running", 1), httpx.RemoteProtocolError, full(), batch_answer("running", 4)]
+    service.answers += [batch_answer("done", 4), batch_answer("done", 4)]
+    assert follow(service) == [("running", 1), ("running", 4), ("done", 4)]
 
 
 def test_a_wait_ends_in_time_and_only_well_where_the_job_is_done() -> None:
-    states = iter(["running", "running", "cancelled", "failed", "done"])
-
-    def handler(request: httpx.Request) -> httpx.Response:
-        assert not request.url.path.endswith("/events"), "a stream may outlast a short wait"
-        return httpx.Response(200, json={**batch_answer(next(states)), "reason": "a full disk"})
-
-    with patient(handler) as ridelab:
-
-        def batch() -> Batch:
-            return Batch(ridelab._http, batch_answer("queued"))
-
+    """It asks for no stream of events, which may outlast a short wait."""
+    states = ("queued", "running", "running", "queued", "cancelled", "queued", "failed", "queued", "done")
+    service = Answering(*(batch_answer(state, reason="a full disk") for state in states))
+    with service.ridelab() as ridelab:
         with pytest.raises(JobTimeoutError):
-            batch().wait(timeout=0)
+            submit(ridelab).wait(timeout=0)
         for ending in ("cancelled", "a full disk"):
             with pytest.raises(JobEndedError, match=ending):
-                batch().wait(timeout=19)
-        assert batch().wait(timeout=19).state == "done"
+                submit(ridelab).wait(timeout=19)
+        assert submit(ridelab).wait(timeout=19).state == "done"
+    assert not any(request.url.path.endswith("/events") for request in service.requests)
 
 
 def test_jobs_are_listed_over_pages(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    paths: list[str] = []
-    job = {**batch_answer("done", 4), "created_at": "2026-01-02T03:04:05"}
-
-    def handler(request: httpx.Request) -> httpx.Response:
-        path = request.url.raw_path.decode().removeprefix("/api/v1")
-        paths.append(path)
-        jobs, more = ([job] * 2, None if "cursor" in path else "c1") if path.startswith("/batches") else ([], None)
-        return httpx.Response(200, json={"batches": jobs, "tunings": jobs, "next": more})
-
-    with patient(handler) as ridelab:
+    job = {**batch_answer("done", 4).json(), "created_at": "2026-01-02T03:04:05"}
+    pages: tuple[dict[str, object], ...] = (
+        {"batches": [job] * 2, "next": "c1"},
+        {"batches": [job], "next": None},
+        {"tunings": [], "next": None},
+    )
+    service = Answering(*(httpx.Response(200, json=page) for page in pages))
+    with service.ridelab() as ridelab:
         monkeypatch.setattr(Services, "at", lambda *_: ridelab)
         assert app.run(["jobs", "list", "--state", "done", "--limit", "3", "--server", "http://ridelab.test"]) == 0
     assert capsys.readouterr().out.count(f"batch  {'b' * 22}  done") == 3
-    assert paths == [
+    assert [request.url.raw_path.decode().removeprefix("/api/v1") for request in service.requests] == [
         "/batches?limit=3&state=done",
         "/batches?limit=1&cursor=c1&state=done",
         "/tunings?limit=3&state=done",
@@ -274,19 +251,12 @@ def test_jobs_are_listed_over_pages(monkeypatch: pytest.MonkeyPatch, capsys: pyt
 
 
 def test_a_batch_is_handed_in_again_with_the_same_key() -> None:
-    keys: list[str] = []
-
-    def handler(request: httpx.Request) -> httpx.Response:
-        keys.append(request.headers["Idempotency-Key"])
-        if len(keys) == 1:
-            raise httpx.ReadError("lost on the way back")
-        return httpx.Response(202, json=batch_answer("queued"))
-
-    with patient(handler) as ridelab:
-        ridelab.submit({}, ["lv"], {"grid": {"road.seed": [1]}})
-        assert len(keys) == 2
-        assert keys[0] == keys[1]
-        ridelab.submit({}, ["lv"], {"grid": {"road.seed": [1]}})
-        assert keys[2] != keys[0]
-        ridelab.submit({}, ["lv"], {"grid": {"road.seed": [1]}}, idempotency_key="mine")
-        assert keys[3] == "mine"
+    """Where an answer was lost on the way back; another batch has another one, or the caller's own."""
+    service = Answering(httpx.ReadError, *(batch_answer("queued") for _ in range(3)))
+    with service.ridelab() as ridelab:
+        submit(ridelab)
+        submit(ridelab)
+        submit(ridelab, "mine")
+    first, again, second, own = (request.headers["Idempotency-Key"] for request in service.requests)
+    assert first == again != second
+    assert own == "mine"

@@ -56,8 +56,7 @@ def test_controllers_of_a_package_are_driven_by_a_service(tmp_path: Path, monkey
         _ = Services(None, None).quick
 
 
-def test_a_run_has_the_members_of_a_services(alone: Cli, ridelab: Ridelab) -> None:
-    assert alone.error == ""
+def test_a_run_has_the_members_of_a_services(ridelab: Ridelab) -> None:
     ours, theirs = (each.run({}, ["passive"]) for each in (InProcess(no_service), ridelab))
     assert ours.answer.keys() == theirs.answer.keys()
     assert ours["passive"].figures().keys() == theirs["passive"].figures().keys()

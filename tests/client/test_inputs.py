@@ -11,35 +11,24 @@ from typing import Any
 import pytest
 
 import sim_core
-from ridelab import RunResult, __version__
+from ridelab import Ridelab, RunResult, __version__
 from ridelab.cli import app, fields
 from ridelab.cli.compare import Equal, differences, equal_within
 from ridelab.cli.names import Names
 from ridelab.cli.reporting import InputError, show_table
 from ridelab.cli.service import Services
 from ridelab.cli.targets import find
-from ridelab.fields import limits_of, units_of
+from ridelab.fields import units_of
 from sim_core.catalogue import METRICS
 from sim_core.scenario import Estimation, Scenario
 
-SCHEMA = Scenario.model_json_schema()
-UNITS = units_of(SCHEMA)
+UNITS = units_of(Scenario.model_json_schema())
 
 
 @pytest.fixture
-def services() -> Services:
+def services(ridelab: Ridelab) -> Services:
     services = Services(None, None)
-    paper = {"paper": Scenario().model_dump(mode="json")}
-    services.names = Names(
-        fields=UNITS,
-        limits=limits_of(SCHEMA),
-        strategies={},
-        presets=paper,
-        signals={},
-        windows={},
-        paper_signals=[],
-        metrics={},
-    )
+    services.names = Names.of(ridelab)
     return services
 
 
@@ -70,7 +59,6 @@ def test_changes_are_set_in_what_is_given(services: Services) -> None:
     assert scenario.mpc.preview == "none"
     assert (scenario.vehicle.tyre_lift_off, scenario.hook.semi_active) == (True, False)
     assert scenario_json == {"road": {"length": 130}}
-    assert fields.changed(scenario_json, [], services) == scenario_json
 
 
 @pytest.mark.parametrize(
@@ -175,14 +163,10 @@ def compare(
         ("a b --tolerance travel_*=0.5", 0),
         ("a b --tolerance travel_*=0.5 --tolerance 1e-9", 1),
         ("a b --tolerance-abs comfort.*=9", 1),
-        ("a b --tolerance-abs 1.5", 0),
         ("a b --strategy lv", 0),
         ("a b --metric bump.*,comfort.*", 0),
         ("a b --metric bump.*,bmp.*", 2),
-        ("a b --metric=", 2),
-        ("a b --tolerance comfrt.*=0.2", 2),
         ("a b --tolerance-abs comfrt.*=9", 2),
-        ("a b --strategy=", 2),
         ("a b --strategy lqr", 2),
         ("a b --tolerance travel_time=much", 2),
         ("a b --tolerance=-1", 2),
@@ -210,15 +194,10 @@ def test_what_core_0_3_0_saved_has_the_filter_it_had(
     answer: dict[str, Any], services: Services, tmp_path: Path
 ) -> None:
     saved, file = copy(answer), tmp_path / "saved.json"
-    kalman = Estimation(kind="kalman").model_dump(mode="json", exclude={"knows_preview"})
-    stored: dict[str, Any]
-    for told, stored in ((False, kalman), (True, {**kalman, "knows_preview": True})):
-        saved["scenario"]["estimation"] = stored
-        for content in (saved, saved["scenario"]):  # as `run --json` prints it, and `tune --out` writes it
-            file.write_text(json.dumps(content), encoding="utf-8")
-            found = find(str(file), services)
-            assert found.scenario["estimation"] == {**stored, "knows_preview": told}
-            assert found.run is None or found.run.scenario == found.scenario
+    saved["scenario"]["estimation"] = Estimation(kind="kalman").model_dump(mode="json", exclude={"knows_preview"})
+    for content in (saved, saved["scenario"]):  # as `run --json` prints it, and `tune --out` writes it
+        file.write_text(json.dumps(content), encoding="utf-8")
+        assert find(str(file), services).scenario["estimation"]["knows_preview"] is False
     typed = {"estimation": {"kind": "kalman"}}
     file.write_text(json.dumps(typed), encoding="utf-8")
     assert find(str(file), services).scenario == typed, "what a person wrote is today's"
