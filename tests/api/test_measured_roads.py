@@ -189,7 +189,8 @@ def test_what_cannot_be_driven_names_its_field(
         (error,) = answer.json()["errors"]
         assert error["pointer"] == pointer
         assert error["message"].startswith(said)
-    body = {"scenario": {}, "strategies": ["passive"], "sweep": {"grid": {"road.profile": [MISSING]}}, "dry_run": True}
+    sweep: dict[str, Any] = {"grid": {"road.profile": [MISSING]}}
+    body = {"scenario": {}, "strategies": ["passive"], "sweep": sweep, "dry_run": True}
     assert service.post("/api/v1/batches", json=body).json()["errors"][0]["pointer"] == "/sweep"
 
 
