@@ -181,7 +181,7 @@ def test_what_cannot_be_driven_names_its_field(
     wrong = {"road": {**scenario["road"], **road}}
     answers = [service.run(["passive"], wrong), service.live(["passive"], wrong)]
     if "length" not in road:
-        sweep = {"grid": {"road.bump.height": [0, 0.1]}}
+        sweep: dict[str, Any] = {"grid": {"road.bump.height": [0, 0.1]}}
         body: dict[str, Any] = {"scenario": wrong, "strategies": ["passive"], "sweep": sweep}
         answers.append(service.post("/api/v1/batches", json={**body, "dry_run": True}))
     for answer in answers:
@@ -189,7 +189,7 @@ def test_what_cannot_be_driven_names_its_field(
         (error,) = answer.json()["errors"]
         assert error["pointer"] == pointer
         assert error["message"].startswith(said)
-    sweep: dict[str, Any] = {"grid": {"road.profile": [MISSING]}}
+    sweep = {"grid": {"road.profile": [MISSING]}}
     body = {"scenario": {}, "strategies": ["passive"], "sweep": sweep, "dry_run": True}
     assert service.post("/api/v1/batches", json=body).json()["errors"][0]["pointer"] == "/sweep"
 
