@@ -135,6 +135,9 @@ class Workers:
                 logger.warning("A worker died during a task (%d of %d attempts)", attempt, ATTEMPTS)
                 self._give_back(task, process, None)
                 continue
+            except Exception:  # a task that cannot be sent, or an answer that cannot be read
+                self._give_back(task, process, None)
+                raise
             self._give_back(task, process, answer)
             if answer.error is not None:
                 raise answer.error

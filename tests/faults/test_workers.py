@@ -9,6 +9,7 @@ from collections.abc import Callable, Coroutine, Iterator
 from importlib import import_module
 from pathlib import Path
 from typing import Any
+from urllib.error import ContentTooShortError
 
 import psutil
 import pytest
@@ -146,6 +147,12 @@ def test_what_cannot_be_sent_is_an_error_of_its_task_alone(do: Do) -> None:
             await workers.call(import_module, "no_such_module")
         assert "import_module" in str(raised.value.__cause__), "the log has where it was raised"
         assert await workers.call(os.getpid) == pid
+        with pytest.raises(AttributeError, match="pickle"):
+            await workers.call(os.getpid, lambda: None)
+        with pytest.raises(TypeError, match="missing 1 required"):
+            await workers.call(ContentTooShortError, "half", b"")  # which is written, and cannot be read
+        assert await workers.call(os.getpid) != pid, "of whose pipe nobody knows what is left in it"
+        assert workers.load == {"busy": 0, "idle": 1, "waiting": 0}
 
     do(use)
 
