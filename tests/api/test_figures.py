@@ -107,9 +107,3 @@ def test_stages_are_shaded_by_the_rule_the_page_has(axis: str) -> None:
     assert [(shape["fillcolor"], shape["x0"], shape["x1"]) for shape in shapes] == [
         (STAGE_FILLS[stage], low, high) for stage, low, high in case["shaded"][axis]
     ]
-
-
-def test_an_unknown_figure_is_404_and_names_those_there_are(client: httpx.Client, run: dict[str, Any]) -> None:
-    response = client.get(f"/api/v1/runs/{run['id']}/figures/nothing")
-    assert response.status_code == 404
-    assert "pitch_acceleration" in response.json()["detail"]

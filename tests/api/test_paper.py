@@ -152,15 +152,6 @@ def test_what_each_part_contributes(client: httpx.Client) -> None:
     assert len(times) == 1
 
 
-def test_the_figures_are_the_paper_s(client: httpx.Client) -> None:
-    figures = client.get(f"{PAPER}/figures").json()
-    models.PaperFigures.model_validate(figures)
-    assert [figure["number"] for figure in figures["figures"]] == [3, 4, 5, 6, 8, *range(10, 18), *range(19, 23)]
-    for item in figures["figures"]:
-        assert item["figure"]["data"], item["number"]
-        assert all(len(trace["y"]["bdata"]) > 50 for trace in item["figure"]["data"])
-
-
 def test_one_visitor_leaves_the_paper_page_to_others_and_all_have_a_limit(service: Service, store: Store) -> None:
     rows = PaperRows(store)
 

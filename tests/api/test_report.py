@@ -136,17 +136,6 @@ def points(trace: dict[str, Any]) -> list[tuple[float, float]]:
     return list(zip(x, y, strict=True))
 
 
-def test_it_is_compressed_where_that_is_taken(
-    client: httpx.Client, run: dict[str, Any], answer: httpx.Response
-) -> None:
-    path = f"/api/v1/runs/{run['id']}/report.html"
-    assert answer.headers["content-encoding"] == "gzip"
-    assert answer.headers["vary"] == "Accept-Encoding"
-    plain = client.get(path, headers={"Accept-Encoding": "identity"})
-    assert "content-encoding" not in plain.headers
-    assert plain.content == answer.content
-
-
 def test_a_run_without_histories_keeps_its_tables(service: Any, run: dict[str, Any]) -> None:
     store = service.services.store
     stored = store.runs.load(run["id"])

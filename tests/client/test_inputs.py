@@ -1,7 +1,6 @@
 """Values typed on the command line, and differences between two runs; no service needed."""
 
 import json
-import math
 import subprocess
 import sys
 from collections.abc import Callable
@@ -11,9 +10,8 @@ from typing import Any
 import pytest
 
 import sim_core
-from ridelab import Ridelab, RunResult, __version__
+from ridelab import Ridelab, __version__
 from ridelab.cli import app, fields
-from ridelab.cli.compare import Equal, differences, equal_within
 from ridelab.cli.names import Names
 from ridelab.cli.reporting import InputError, show_table
 from ridelab.cli.service import Services
@@ -106,45 +104,26 @@ def copy(answer: dict[str, Any]) -> Any:
     return json.loads(json.dumps(answer))
 
 
-def tolerance(relative: float, absolute: float = 0) -> Equal:
-    return equal_within([str(relative)], [str(absolute)])
-
-
-def test_differences_come_largest_first_and_within_the_tolerance_not_at_all(answer: dict[str, Any]) -> None:
-    other = copy(answer)
-    metrics = other["strategies"]["lv"]["metrics"]["bump"]
-    metrics["body_acceleration"]["peak"] *= 1.02
-    metrics["pitch_acceleration"]["rms"] *= 0.9
-    other["strategies"]["lv"]["events"]["target_reached"] = False
-    a, b = RunResult.of(answer), RunResult.of(other)
-    assert differences(a, a, ["lv", "passive"], tolerance(0), ["*"]) == []
-    differing = differences(a, b, ["lv", "passive"], tolerance(0), ["*"])
-    assert [(item.strategy, item.figure, item.worse) for item in differing] == [
-        ("lv", "events.target_reached", True),
-        ("lv", "bump.pitch_acceleration.rms", False),
-        ("lv", "bump.body_acceleration.peak", True),
-    ]
-    assert [item.change for item in differing] == pytest.approx([math.inf, -0.1, 0.02])
-    assert differing[1].unit == "rad/s^2"
-    loose = differences(a, b, ["lv"], tolerance(0.05), ["*"])
-    assert [item.figure for item in loose] == ["events.target_reached", "bump.pitch_acceleration.rms"]
-    assert len(differences(a, b, ["lv"], tolerance(0, 1e9), ["*"])) == 1, "true is not false at any tolerance"
-
-
 @pytest.fixture
 def compare(
     answer: dict[str, Any], tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> Callable[..., tuple[int, str]]:
     """`compare` of two files where no service answers: the exit code and what is printed.
 
-    The files are a, b which is a second slower with passive dampers, one with a strategy more, and another road.
+    The files are a, b which is a second slower with passive dampers, c where three numbers differ, one with a strategy
+    more, and another road.
     """
     monkeypatch.setenv("RIDELAB_SERVER", "http://127.0.0.1:9")  # nobody there
     slower, more, road = copy(answer), copy(answer), copy(answer)
     slower["strategies"]["passive"]["travel_time"] += 1
     more["strategies"]["lqr"] = answer["strategies"]["lv"]
+    other = copy(answer)
+    bump = other["strategies"]["lv"]["metrics"]["bump"]
+    bump["body_acceleration"]["peak"] *= 1.02
+    bump["pitch_acceleration"]["rms"] *= 0.9
+    other["strategies"]["lv"]["events"]["target_reached"] = False
     road["scenario"]["road"]["seed"] = 2
-    for name, content in {"a": answer, "b": slower, "more": more, "road": road}.items():
+    for name, content in {"a": answer, "b": slower, "c": other, "more": more, "road": road}.items():
         (tmp_path / f"{name}.json").write_text(json.dumps(content), encoding="utf-8")
 
     def run(first: str, second: str, *words: str) -> tuple[int, str]:
@@ -182,11 +161,26 @@ def test_files_are_compared_without_a_service(compare: Callable[..., tuple[int, 
     assert compare(*words.split())[0] == code
 
 
-def test_a_comparison_names_what_differs(compare: Callable[..., tuple[int, str]]) -> None:
-    comparison = json.loads(compare("a", "b", "--json")[1])
-    assert comparison["equal"] is False
-    (differing,) = comparison["differences"]
-    assert (differing["strategy"], differing["figure"], differing["unit"]) == ("passive", "travel_time", "s")
+@pytest.mark.parametrize(
+    ("words", "named"),
+    [
+        ("a b", ["travel_time"]),
+        ("a c", ["events.target_reached", "bump.pitch_acceleration.rms", "bump.body_acceleration.peak"]),
+        ("a c --worse", ["events.target_reached", "bump.body_acceleration.peak"]),
+        ("a c --tolerance 0.05", ["events.target_reached", "bump.pitch_acceleration.rms"]),
+        ("a c --tolerance-abs 1e9", ["events.target_reached"]),  # true is not false at any tolerance
+    ],
+)
+def test_a_comparison_names_what_differs_the_largest_change_first(
+    compare: Callable[..., tuple[int, str]], words: str, named: list[str]
+) -> None:
+    differences = json.loads(compare(*words.split(), "--json")[1])["differences"]
+    assert [each["figure"] for each in differences] == named
+    numbers = {each["figure"]: (each["change"], each["unit"]) for each in differences}
+    assert numbers.get("bump.pitch_acceleration.rms", (-0.1, "rad/s^2")) == (pytest.approx(-0.1), "rad/s^2")
+
+
+def test_equal_results_say_how_much_was_compared(compare: Callable[..., tuple[int, str]]) -> None:
     assert f"{2 * len(METRICS)} metrics" in compare("a", "a")[1]
 
 

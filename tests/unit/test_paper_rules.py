@@ -26,7 +26,6 @@ from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.errors import UnknownNameError
 from sim_core.scenario.dotted import field
 from sim_core.scenario.presets import preset
-from tests.docs.causes import least_change
 
 COPY = json.loads((Path(__file__).parents[1] / "data" / "paper_tables.json").read_text())
 NAMED = {"lv_hil": "hil"}
@@ -149,19 +148,6 @@ def test_the_named_sets() -> None:
     assert scenario_for(NEAREST.choices, 1) == preset("paper_nearest")
     assert [interpretation_of(item.choices) for item in INTERPRETATIONS.values()] == list(INTERPRETATIONS)
     assert interpretation_of(FAVOURABLE.choices | {"force_limit": "10"}) is None
-
-
-@pytest.mark.parametrize(
-    ("speed_only", "road", "least"),
-    [
-        (0.0, -20.0, -40.0),  # R = 0.8, S = 1: T = 0.6
-        (8.45, -20.995, -31.5),
-        (25.0, -25.0, -20.0),  # R = 0.75, S = 1.25: R/S = 0.6, T/S = 0.8
-        (8.45, 8.45, -100.0),  # no load transfer: nothing that LV could not take away
-    ],
-)
-def test_the_least_change_that_load_transfer_leaves(speed_only: float, road: float, least: float) -> None:
-    assert least_change(speed_only, road) == pytest.approx(least, abs=0.05)
 
 
 def test_load_transfer_bounds_the_front_tyre_under_every_controller() -> None:
