@@ -48,12 +48,6 @@ def check(response: httpx.Response, status: int, kind: str) -> Problem:
     return problem
 
 
-def test_unknown_addresses_are_404(client: httpx.Client) -> None:
-    for path in ("/nowhere", "/api/v1", "/api/v1/nothing", "/api/v2/runs", "/assets/none.js", "/docs-assets/none.js"):
-        check(client.get(path), 404, "not-found")
-    check(client.post("/api/v1/nothing", json={}), 404, "not-found")
-
-
 @pytest.mark.parametrize(
     ("method", "path", "allowed"), [("DELETE", "runs", {"POST"}), ("PUT", "batches", {"GET", "POST"})]
 )
@@ -64,14 +58,6 @@ def test_a_wrong_method_is_405_and_says_which_are_right_without_describing_all_o
     response = client.request(method, f"/api/v1/{path}")
     check(response, 405, "method-not-allowed")
     assert {name.strip() for name in response.headers["allow"].split(",")} == allowed
-
-
-@pytest.mark.parametrize("path", ["/healthz", "/readyz", "/api/v1/schema", "/docs"])
-def test_head_is_get_without_the_body(client: httpx.Client, path: str) -> None:
-    got, head = client.get(path), client.head(path)
-    assert head.status_code == got.status_code == 200
-    assert head.content == b""
-    assert head.headers["content-type"] == got.headers["content-type"]
 
 
 @pytest.mark.parametrize(

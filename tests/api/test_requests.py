@@ -4,7 +4,6 @@ import contextlib
 import gzip
 import json
 import socket
-import threading
 from collections.abc import Iterator
 from typing import Any
 
@@ -13,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from backend.http import routing, strict_json
+from backend.http import routing
 from backend.http.strict_json import MAX_MEMBERS, StrictJSONError, parse
 from tests.api.test_problems import check
 from tests.servers.process import wait_until
@@ -65,44 +64,16 @@ def test_any_bytes_are_a_value_or_an_error(body: bytes) -> None:
         assert parse(body) == json.loads(body)
 
 
-@pytest.mark.parametrize(
-    ("body", "pointer"),
-    [
-        (scenario('{"road": {"seed": 1, "seed": 2}}'), ""),
-        ("{}", "/strategies"),
-        ("null", ""),
-        ("", ""),
-    ],
-    ids=str,
-)
-def test_a_bad_body_is_refused_with_a_pointer(client: httpx.Client, body: str, pointer: str) -> None:
-    kind = "strict-json" if "seed" in body and pointer == "" else "invalid-request"
-    problem = check(post(client, body), 422, kind)
-    assert [error.pointer for error in problem.errors] == [pointer]
-    assert problem.errors[0].message
-
-
 def test_errors_are_reported_together_but_not_thousands(client: httpx.Client) -> None:
     body = scenario('{"road": {"length": 1, "seed": -1}, "vehicle": {"body_mass": "heavy"}}')
+    twice = check(post(client, scenario('{"road": {"seed": 1, "seed": 2}}')), 422, "strict-json")
+    assert [error.pointer for error in twice.errors] == [""]
     pointers = {error["pointer"] for error in post(client, body).json()["errors"]}
     assert {"/scenario/road/length", "/scenario/road/seed", "/scenario/vehicle/body_mass"} <= pointers
     parts = {part: {f"k{index}": index for index in range(200)} for part in ("road", "mpc", "lqr", "vehicle", "speed")}
     response = post(client, scenario(json.dumps(parts)))
     assert len(response.json()["errors"]) == 50
     assert len(response.content) < 100_000
-
-
-def test_long_bodies_are_parsed_beside_the_event_loop(client: httpx.Client, monkeypatch: pytest.MonkeyPatch) -> None:
-    threads = []
-
-    def spy(*args: Any, **limits: Any) -> Any:
-        threads.append(threading.current_thread().name)
-        return parse(*args, **limits)
-
-    monkeypatch.setattr(strict_json, "parse", spy)
-    for length in (200, 300_000, 1024 * 1024 - 100):
-        assert post(client, GOOD[:-1] + b" " * length + b"}").status_code == 200
-    assert [name.startswith("strict-json") for name in threads] == [False, True, True]
 
 
 def test_a_body_has_only_so_many_bytes_and_a_scenario_so_many_values(client: httpx.Client) -> None:
@@ -137,7 +108,7 @@ def test_compressed_bodies_are_not_unpacked(client: httpx.Client, encoding: str)
     assert post(client, GOOD, **{"Content-Encoding": "identity"}).status_code == 200
 
 
-@pytest.mark.parametrize("kind", ["text/plain", "application/jsonp", "application/x-www-form-urlencoded", ""])
+@pytest.mark.parametrize("kind", ["text/plain", "application/x-www-form-urlencoded", ""])
 def test_every_body_has_to_be_json(client: httpx.Client, kind: str) -> None:
     check(post(client, GOOD, **{"Content-Type": kind}), 415, "unsupported-media-type")
     assert post(client, GOOD, **{"Content-Type": "application/json; charset=utf-8"}).status_code == 200
@@ -170,14 +141,8 @@ def test_every_route_takes_its_parameters_once_and_no_others(client: httpx.Clien
         for name in names:
             twice = wrong_parameters(client, method, path, f"{name}=1&{name}=1")
             assert twice == [(name, "This parameter is there twice")]
-
-
-def test_wrong_parameters_are_reported_together_with_similar_names(client: httpx.Client) -> None:
-    errors = wrong_parameters(client, "GET", "/api/v1/runs/x/series", "formt=csv&limit=3&%3Cb%3E=1")
-    assert [name for name, _ in errors] == ["formt", "limit", None]
-    assert errors[0][1].startswith("Unknown parameter formt, perhaps format; there are strategy, ")
-    assert errors[2][1].startswith("Unknown parameter; there are ")
     assert len(wrong_parameters(client, "GET", "/api/v1/schema", "&".join(f"k{i}=" for i in range(1000)))) == 50
+    assert wrong_parameters(client, "GET", "/api/v1/schema", "%3Cb%3E=1")[0][0] is None, "only a name is repeated"
 
 
 def test_pages_and_files_take_any_parameter(client: httpx.Client) -> None:
@@ -208,23 +173,21 @@ def test_integers_may_be_written_as_other_programs_do_and_fields_nested_or_dotte
 
 
 @pytest.mark.parametrize(
-    ("scenario", "pointer", "message"),
+    ("scenario", "pointer"),
     [
-        ({"road": {"seed": 2.5}}, "/scenario/road/seed", "valid integer"),
-        ({"road": {"seed": 1e300}}, "/scenario/road/seed", "valid integer"),
-        ({"road.bump.hight": 0.1}, "/scenario/road.bump.hight", "perhaps height"),
-        ({"road.seed": 1, "road": {"seed": 1}}, "/scenario/road.seed", "twice, nested and dotted"),
-        ({"road.seed.x": 1, "road": {"seed": 1}}, "/scenario/road.seed.x", "below a field"),
+        ({"road": {"seed": 2.5}}, "/scenario/road/seed"),
+        ({"road": {"seed": 1e300}}, "/scenario/road/seed"),
+        ({"road.bump.hight": 0.1}, "/scenario/road.bump.hight"),
+        ({"road.seed": 1, "road": {"seed": 1}}, "/scenario/road.seed"),
+        ({"road.seed.x": 1, "road": {"seed": 1}}, "/scenario/road.seed.x"),
     ],
-    ids=str,
 )
-def test_what_is_no_integer_and_no_field_is_said_where_it_stands(
-    client: httpx.Client, scenario: dict[str, Any], pointer: str, message: str
+def test_what_is_no_integer_and_no_field_is_refused_at_its_place(
+    client: httpx.Client, scenario: dict[str, Any], pointer: str
 ) -> None:
     answer = client.post("/api/v1/runs", json={"scenario": scenario, "strategies": ["passive"]})
     problem = check(answer, 422, "invalid-request")
     assert [error.pointer for error in problem.errors] == [pointer]
-    assert message in problem.errors[0].message
 
 
 def test_a_trailing_slash_is_the_same_address(client: httpx.Client) -> None:

@@ -105,24 +105,6 @@ def test_a_running_batch_is_summarised_by_its_finished_runs(client: httpx.Client
     client.post(f"/api/v1/batches/{batch}/cancel")
 
 
-@pytest.mark.parametrize(
-    ("params", "parameter", "said"),
-    [
-        ({"figures": "bump.nothing.peak"}, "figures", "Unknown figure"),
-        ({"figures": "events.target_reached"}, "figures", "Unknown figure"),  # yes or no has no quantiles
-        ({"baseline": "speed_only"}, "baseline", "it has lv, lqr, passive"),
-    ],
-)
-def test_what_the_batch_has_not_is_refused(
-    client: httpx.Client, batch: str, params: dict[str, str], parameter: str, said: str
-) -> None:
-    answer = client.get(f"/api/v1/batches/{batch}/summary", params=params)
-    assert answer.status_code == 422
-    assert answer.json()["errors"][0]["parameter"] == parameter
-    assert said in answer.json()["detail"]
-    assert "nothing" not in answer.text
-
-
 def test_the_defaults_are_ranges_that_a_batch_takes(client: httpx.Client) -> None:
     usual = client.get("/api/v1/robustness").json()
     RobustnessDefaults.model_validate(usual)
