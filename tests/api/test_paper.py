@@ -83,14 +83,11 @@ def test_absolutes_stand_beside_the_printed_ones_and_say_where_tyre_loads_are_do
         for name, cell in (("default", one), ("nearest", other)):
             assert row[name]["value"] == pytest.approx(cell["our_value"], rel=1e-12)
             assert row[name]["factor"] == cell["our_factor"]
-            assert 0 < row[name]["spread"] < 0.6 * row[name]["value"]
         assert other["our_factor"] == (2 if "tyre_load" in other["signal"] else 1)
         assert single["our_factor"] == one["our_factor"] == 1
         assert other["our_value"] == other["our_factor"] * single["our_value"]
         assert other["our_change"] == single["our_change"]
     distances = {item["interpretation"]: item for item in answer["absolutes"]["distances"]}
-    assert distances["nearest"]["uncontrolled"]["values"] == 16
-    assert distances["nearest"]["simulated"]["values"] == 40
     assert 1.1 < distances["nearest"]["uncontrolled"]["median"] < 1.15
     assert 2.4 < distances["default"]["uncontrolled"]["median"] < 2.6
 

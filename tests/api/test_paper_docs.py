@@ -34,10 +34,6 @@ def counts(answer: dict[str, Any]) -> Iterator[str]:
 def sets(answer: dict[str, Any]) -> Iterator[str]:
     yield "| roads | interpretation | reached | simulated | ECU, ±8 % | within ±10 points | printed in our interval |"
     yield "|---|---|---:|---:|---:|---:|---:|"
-    yield from set_rows(answer)
-
-
-def set_rows(answer: dict[str, Any]) -> Iterator[str]:
     roads = f"{answer['first_seed']}-{answer['first_seed'] + answer['seeds'] - 1}"
     for item in answer["interpretations"]:
         parts = (item, item["simulated"], item["ecu"])

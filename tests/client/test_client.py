@@ -2,7 +2,6 @@
 
 import base64
 import io
-from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
@@ -51,21 +50,12 @@ def test_a_scenario_is_a_preset_with_named_fields_changed(ridelab: Ridelab) -> N
             ridelab.scenario(*wrong)
 
 
-@pytest.mark.parametrize(
-    ("path", "of"),
-    [
-        (f"GET /runs/{RUN}/series", lambda ridelab: ridelab.series_content(RUN, "parquet", strategies=["lv"])),
-        (f"GET /batches/{RUN}/results", lambda ridelab: ridelab.get_batch(RUN).content("parquet")),
-    ],
-    ids=["time histories", "rows"],
-)
-def test_parquet_is_made_of_csv_with_its_units(
-    ridelab: Ridelab, prepared: Prepared, path: str, of: Callable[[Ridelab], Iterable[bytes]]
-) -> None:
+def test_parquet_is_made_of_csv_with_its_units(ridelab: Ridelab, prepared: Prepared) -> None:
     """Whole numbers of a quantity are numbers like the others, and an empty column is one of texts."""
-    prepared.answers[f"GET /batches/{RUN}"] = {"id": RUN, "state": "done"}
-    prepared.answers[path] = b"strategy,speed [m/s],front_force [N],reason\nlv,13.5,0,\nlv,,2,\n"
-    table = parquet.read_table(io.BytesIO(b"".join(of(ridelab))))
+    csv = b"strategy,speed [m/s],front_force [N],reason\nlv,13.5,0,\nlv,,2,\n"
+    prepared.answers[f"GET /runs/{RUN}/series"] = csv
+    content = b"".join(ridelab.series_content(RUN, "parquet", strategies=["lv"]))
+    table = parquet.read_table(io.BytesIO(content))
     assert table.to_pydict() == {
         "strategy": ["lv", "lv"],
         "speed [m/s]": [13.5, None],
