@@ -60,7 +60,7 @@ export function FigureMenu({ source, opened, onChange, children }: Props) {
           <Text size="xs" fw={600} id={`${id}-font`}>
             Font size
           </Text>
-          <SegmentedControl aria-labelledby={`${id}-font`} value={font} data={[...FONT_SIZES]} onChange={setFont} />
+          <SegmentedControl aria-labelledby={`${id}-font`} value={font} data={FONT_SIZES} onChange={setFont} />
           <Group gap="xs" wrap="nowrap">
             <Button onClick={() => save("png", () => image("png"))}>PNG, 300 dpi</Button>
             <Button onClick={() => save("svg", () => image("svg"))}>SVG</Button>

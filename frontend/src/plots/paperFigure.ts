@@ -12,12 +12,7 @@ export const WIDTHS = [
   { value: "180", label: "180 mm, two columns" },
   { value: "254", label: "254 mm, slide" },
 ] as const;
-export const FONT_SIZES = [
-  { value: "7", label: "7 pt" },
-  { value: "8", label: "8 pt" },
-  { value: "10", label: "10 pt" },
-  { value: "14", label: "14 pt" },
-] as const;
+export const FONT_SIZES = (["7", "8", "10", "14"] as const).map((value) => ({ value, label: `${value} pt` }));
 
 export type Width = (typeof WIDTHS)[number]["value"];
 export type FontSize = (typeof FONT_SIZES)[number]["value"];

@@ -61,6 +61,10 @@ export const SCROLLED = { maw: "100%", style: { overflowX: "auto" } } as const;
 export const labelled = (all: readonly { readonly id: string; readonly label: string }[]) =>
   all.map(({ id, label }) => ({ value: id, label }));
 
+/** Values with a label each, to choose from. */
+export const choicesOf = <Value extends string>(labels: Readonly<Record<Value, string>>) =>
+  (Object.keys(labels) as Value[]).map((value) => ({ value, label: labels[value] }));
+
 interface Props {
   readonly title: string;
   /** Its accessible name. */

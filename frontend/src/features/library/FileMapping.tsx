@@ -29,7 +29,7 @@ import { ProfileSketch } from "./ProfileSketch";
 import { Template } from "./Template";
 import { Button, Group, Modal, Checkbox, Text } from "@mantine/core";
 import { useState, useMemo, type ReactNode } from "react";
-import { Entry, Choice } from "../../ui/Entry";
+import { Entry, Choice, choicesOf } from "../../ui/Entry";
 import { Fault } from "../../ui/Messages";
 import { submits } from "../../ui/ListEntry";
 import { messageOf } from "../../api/problem";
@@ -212,12 +212,7 @@ interface MappingProps {
   readonly onClose: () => void;
 }
 
-const SEPARATORS = [
-  { value: ",", label: "Commas" },
-  { value: ";", label: "Semicolons" },
-  { value: "\t", label: "Tabs" },
-  { value: " ", label: "Blanks" },
-] as const;
+const SEPARATORS = choicesOf({ ",": "Commas", ";": "Semicolons", "\t": "Tabs", " ": "Blanks" });
 /** Rows in the table. */
 const SHOWN = 6;
 
@@ -294,7 +289,7 @@ function MappingDialog({ name, text, kinds, likely, onClose }: MappingProps) {
         <Choice
           label="Between columns"
           value={layout.separator}
-          data={[...SEPARATORS]}
+          data={SEPARATORS}
           onPick={(value) => relay({ separator: value as Layout["separator"] })}
         />
         <Checkbox

@@ -14,7 +14,7 @@ import { useForm } from "../../server/useCatalogues";
 import { useDraft } from "../../lib/useDraft";
 import { grouped } from "../../lib/order";
 import { StartFoot } from "../jobForm/jobForm";
-import { Finder } from "../../ui/Entry";
+import { choicesOf, Finder } from "../../ui/Entry";
 import { Problems, Note } from "../../ui/Messages";
 import { count } from "../../units/format";
 import { NameWithUnit } from "../../ui/StrategyKey";
@@ -28,10 +28,7 @@ interface Props {
 
 const FIRST_FIELD = "road.bump.height";
 
-const METHODS: { value: Method; label: string }[] = [
-  { value: "grid", label: "Grid" },
-  { value: "hypercube", label: "Latin hypercube" },
-];
+const METHODS = choicesOf<Method>({ grid: "Grid", hypercube: "Latin hypercube" });
 const EXPLAINED: Readonly<Record<Method, string>> = {
   grid: "Every combination of the values.",
   hypercube: "Random points, evenly spread over the ranges.",

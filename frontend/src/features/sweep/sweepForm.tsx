@@ -11,7 +11,7 @@ import { requiredOfThese } from "../../lab/requirements";
 import { count, prettyUnit } from "../../units/format";
 import { humanise, optionTitle, type ChoiceField, type NumberField } from "../../scenario/schema";
 import { useCatalogues } from "../../server/useCatalogues";
-import { Entry, EntryRow } from "../../ui/Entry";
+import { choicesOf, Entry, EntryRow } from "../../ui/Entry";
 import { readDraft, type SweepDraft, type FieldDraft, type Method, byRatio, spread } from "./draft";
 import { Checkbox, Group, SegmentedControl, Chip } from "@mantine/core";
 import { StrategyName } from "../../ui/StrategyKey";
@@ -155,10 +155,7 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
           flex={{ base: "1 1 100%", xs: "none" }}
           aria-label={`${name}: values by`}
           value={draft.by}
-          data={[
-            { value: "steps" satisfies FieldDraft["by"], label: "From, to" },
-            { value: "list" satisfies FieldDraft["by"], label: "List" },
-          ]}
+          data={choicesOf<FieldDraft["by"]>({ steps: "From, to", list: "List" })}
           onChange={(by) => onChange({ by })}
         />
       )}

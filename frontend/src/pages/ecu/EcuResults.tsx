@@ -13,6 +13,7 @@ import { StrategyName, NameWithUnit } from "../../ui/StrategyKey";
 import { NO_VALUE, formatResult, prettyUnit } from "../../units/format";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Card, Columns } from "../../ui/Card";
+import { choicesOf } from "../../ui/Entry";
 import ui from "../../ui/ui.module.css";
 import { Note, Fault } from "../../ui/Messages";
 import { useQuery } from "@tanstack/react-query";
@@ -221,10 +222,7 @@ export function EcuFigures({ run, strategies, stale }: FiguresProps) {
         <SegmentedControl
           aria-label="Plots over"
           value={axis}
-          data={[
-            { value: "distance", label: "Distance" },
-            { value: "time", label: "Time" },
-          ]}
+          data={choicesOf({ distance: "Distance", time: "Time" })}
           onChange={(next) => {
             setAxis(next);
             setZoom(null);

@@ -11,7 +11,7 @@ import bar from "../../ui/toolbar.module.css";
 import { converted } from "./Panels";
 import { cursor, isolateWhilePointed, holdIsolated, useIsolated } from "../../lab/cursor";
 import { type LabAddress } from "../../lab/labAddress";
-import { Choice } from "../../ui/Entry";
+import { Choice, choicesOf } from "../../ui/Entry";
 import { Icon } from "../../ui/icons";
 import { STRATEGIES } from "../../ui/manual";
 import { StrategyChip, StrategyKey, LineKey, StrategyName } from "../../ui/StrategyKey";
@@ -48,10 +48,7 @@ export const Toolbar = memo(function Toolbar({ strategies, part, hasBump }: Prop
         <SegmentedControl
           aria-label="Plots over"
           value={axis}
-          data={[
-            { value: "distance", label: "Distance" },
-            { value: "time", label: "Time" },
-          ]}
+          data={choicesOf({ distance: "Distance", time: "Time" })}
           onChange={over}
         />
         <Button.Group>

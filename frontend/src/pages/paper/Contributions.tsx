@@ -19,7 +19,7 @@ import { useChart, type Look } from "../../plots/useChart";
 import { chartLayout, referenceLine, type Palette } from "../../plots/palettes";
 import { Card } from "../../ui/Card";
 import { humanise } from "../../scenario/schema";
-import { Choice } from "../../ui/Entry";
+import { Choice, choicesOf } from "../../ui/Entry";
 
 /** `enabled`: the cells come first. */
 export function Contributions({ enabled }: { readonly enabled: boolean }) {
@@ -232,17 +232,14 @@ function FairTable({ rows }: { readonly rows: readonly Combination[] }) {
             key={name}
             label={humanise(name)}
             value={filter[name]}
-            data={Object.entries({ [ANY]: "Any", ...optionsOf(name) }).map(([value, label]) => ({ value, label }))}
+            data={choicesOf({ [ANY]: "Any", ...optionsOf(name) })}
             onPick={(value) => setFilter((before) => ({ ...before, [name]: value }))}
           />
         ))}
         <SegmentedControl
           aria-label="Figures as"
           value={shown}
-          data={[
-            { value: "change", label: "Change against passive" },
-            { value: "value", label: "Value and interval" },
-          ]}
+          data={choicesOf<Shown>({ change: "Change against passive", value: "Value and interval" })}
           onChange={setShown}
         />
         <Text role="status" lh="30px" c="dimmed">

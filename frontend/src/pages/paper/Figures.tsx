@@ -10,6 +10,7 @@ import { StrategyKey } from "../../ui/StrategyKey";
 import { useChoices } from "./choices";
 import { typeset } from "./numbers";
 import { attributionQuery, paperFiguresQuery, Answered, useVisible } from "./Waiting";
+import { choicesOf } from "../../ui/Entry";
 import ui from "../../ui/ui.module.css";
 import { Columns } from "../../ui/Card";
 
@@ -49,10 +50,7 @@ function Panels({ figures }: { readonly figures: readonly PaperFigure[] }) {
         data-unprinted
         mb="0.6rem"
         value={range}
-        data={[
-          { value: "whole", label: "Whole road" },
-          { value: "bump", label: "Bump only" },
-        ]}
+        data={choicesOf({ whole: "Whole road", bump: "Bump only" })}
         onChange={setRange}
       />
       <Columns className={ui.pairs ?? ""}>

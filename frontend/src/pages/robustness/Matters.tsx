@@ -18,7 +18,7 @@ import {
   TRAVEL,
 } from "./study";
 import { DataTable, type Column } from "../../ui/DataTable";
-import { labelled, Choice, SCROLLED } from "../../ui/Entry";
+import { choicesOf, labelled, Choice, SCROLLED } from "../../ui/Entry";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
 import { Note, Fault } from "../../ui/Messages";
@@ -60,11 +60,8 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
               aria-label="What follows"
               {...SCROLLED}
               value={of}
-              data={[
-                { value: "value", label: "its value" },
-                { value: "margin", label: `its change against ${against}` },
-              ]}
-              onChange={(next) => setOf(next === "margin" ? "margin" : "value")}
+              data={choicesOf({ value: "its value", margin: `its change against ${against}` })}
+              onChange={setOf}
             />
           )}
         </>

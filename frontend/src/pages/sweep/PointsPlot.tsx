@@ -214,16 +214,13 @@ function DotLayer({ host, drawing, dots, width, height, textOf, onOpen, onNoAxes
       const row = near ? find(event) : null;
       if (row) open(row.dots.rows[row.index] ?? 0);
     };
-    element.addEventListener("pointermove", move);
-    element.addEventListener("pointerleave", leave);
-    element.addEventListener("pointerdown", press, true);
-    window.addEventListener("pointerup", release, true);
-    return () => {
-      element.removeEventListener("pointermove", move);
-      element.removeEventListener("pointerleave", leave);
-      element.removeEventListener("pointerdown", press, true);
-      window.removeEventListener("pointerup", release, true);
-    };
+    const listening = new AbortController();
+    const { signal } = listening;
+    element.addEventListener("pointermove", move, { signal });
+    element.addEventListener("pointerleave", leave, { signal });
+    element.addEventListener("pointerdown", press, { signal, capture: true });
+    window.addEventListener("pointerup", release, { signal, capture: true });
+    return () => listening.abort();
   }, [host]);
 
   const row = hit?.dots.rows[hit.index];
