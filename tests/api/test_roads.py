@@ -77,13 +77,15 @@ def test_its_figures_are_those_of_the_three_single_runs(
         assert entry["compute_ms"] == pytest.approx(sum(each["compute_ms"] for each in alone))
 
 
-def test_asked_again_it_is_stored_under_the_same_id(
-    service: Any, three: dict[str, Any], scenario: dict[str, Any]
-) -> None:
-    again = post(service, scenario=scenario, strategies=["lqr", "passive"], roads=3, baseline="passive").json()
-    assert again["id"] == three["id"]
-    assert all(entry["cached"] for entry in again["strategies"].values())
-    assert again["changes"] == three["changes"]
+def test_it_is_stored_by_its_roads_and_baseline(service: Any, three: dict[str, Any], scenario: dict[str, Any]) -> None:
+    body = {"scenario": scenario, "strategies": ["lqr", "passive"], "roads": 3}
+    again, other = (post(service, **body, baseline=name).json() for name in ("passive", "lqr"))
+    assert (again["id"], again["changes"]) == (three["id"], three["changes"])
+    assert (other["id"] == three["id"], other["baseline"], set(other["changes"])) == (False, "lqr", {"passive"})
+    for run in (again, other):
+        assert all(entry["cached"] for entry in run["strategies"].values()), "the same results"
+    asked = service.get(f"/api/v1/runs/{three['id']}/changes", params={"baseline": "lqr"}).json()
+    assert asked["changes"] == other["changes"]
     stored = service.get(f"/api/v1/runs/{three['id']}").json()
     RoadsRun.model_validate(stored)
     assert {**stored, "strategies": None} == {**three, "strategies": None}
@@ -98,18 +100,6 @@ def test_ids_given_out_before_there_were_roads_stay() -> None:
     assert digest.run_id(scenario, names) == digest.run_id(scenario, names, 1, None) == before
     several = {digest.run_id(scenario, names, roads, baseline) for roads in (2, 3) for baseline in ("passive", "lqr")}
     assert len({before, *several}) == 5
-
-
-def test_another_baseline_is_another_run_of_the_same_results(
-    service: Any, three: dict[str, Any], scenario: dict[str, Any]
-) -> None:
-    other = post(service, scenario=scenario, strategies=["lqr", "passive"], roads=3, baseline="lqr").json()
-    assert other["id"] != three["id"]
-    assert other["baseline"] == "lqr"
-    assert set(other["changes"]) == {"passive"}
-    assert all(entry["cached"] for entry in other["strategies"].values())
-    asked = service.get(f"/api/v1/runs/{three['id']}/changes", params={"baseline": "lqr"}).json()
-    assert asked["changes"] == other["changes"]
 
 
 @pytest.fixture(scope="module")
@@ -204,29 +194,6 @@ def test_a_failure_on_one_road_is_the_strategys_and_names_the_seed(service: Serv
     assert "Road seed 72: no controller" in report.text
 
 
-def test_equal_requests_at_once_drive_each_road_once_a_few_at_a_time(
-    service: Any, road: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    workers, seeds, at_once = service.services.workers, [], []
-    original = workers.call
-
-    async def counted(function: Any, scenario: Scenario, *arguments: Any, **queued: Any) -> Any:
-        seeds.append(scenario.road.seed)
-        at_once.append(len(seeds) - len(done))
-        result = await original(function, scenario, *arguments, **queued)
-        done.append(scenario.road.seed)
-        return result
-
-    done: list[int] = []
-    monkeypatch.setattr(workers, "call", counted)
-    body = {"scenario": {"road": {**road, "seed": 500}}, "strategies": ["lqr", "passive"], "roads": 6}
-    with ThreadPoolExecutor(4) as threads:
-        answers = list(threads.map(lambda _: post(service, **body).json(), range(4)))
-    assert sorted(seeds) == list(range(500, 506)), "both strategies of a road in one task"
-    assert max(at_once) <= workers.count, "the others wait, so that a request of somebody else comes in between"
-    assert len({answer["id"] for answer in answers}) == 1
-
-
 def test_a_link_and_its_preview_open(service: Any, three: dict[str, Any]) -> None:
     created = service.post("/api/v1/links", json={"run_id": three["id"]}).json()
     link = service.get(f"/api/v1/links/{created['slug']}").json()
@@ -236,14 +203,6 @@ def test_a_link_and_its_preview_open(service: Any, three: dict[str, Any]) -> Non
     head = service.get(f"/s/{created['slug']}").text
     assert f"{abs(round(change))} % {'less' if change < 0 else 'more'} peak body acceleration" in head
     assert "mean of 3 roads" in head
-
-
-def test_figures_and_series_are_the_first_roads(service: Any, three: dict[str, Any], scenario: dict[str, Any]) -> None:
-    single = post(service, scenario=scenario, strategies=["lqr", "passive"]).json()["id"]
-    for path in ("series?strategy=lqr,passive&points=50", "figures/body_acceleration"):
-        ours, its = (service.get(f"/api/v1/runs/{run}/{path}") for run in (three["id"], single))
-        assert ours.status_code == 200
-        assert ours.json() == its.json()
 
 
 def test_bands_are_mean_and_extremes_of_the_single_runs(
@@ -335,16 +294,3 @@ def test_bands_take_limited_memory(
     assert refused.status_code == 422
     assert "fewer strategies" in refused.json()["detail"]
     assert asked("&strategy=lqr").status_code == 200
-
-
-def test_the_report_shows_all_roads_and_whose_curves(service: Any, three: dict[str, Any]) -> None:
-    response = service.get(f"/api/v1/runs/{three['id']}/report.html?baseline=lqr")
-    assert response.status_code == 200
-    page = read(response.text)
-    check(page)
-    assert f"seed {SEED}" in response.text
-    assert "3 roads" in response.text
-    peak = three["strategies"]["passive"]["metrics"]["bump"]["body_acceleration"]["peak"]
-    assert f'data-cell="bump.body_acceleration.peak" data-value="{peak["mean"]}"' in response.text
-    assert "±" in response.text
-    assert "--roads 3" in response.text
