@@ -21,9 +21,6 @@ from sim_core.speed.profile import make_speed_profile
 from sim_core.strategies import STRATEGIES, strategy_named
 
 _TYRES = ("front_tyre_load", "rear_tyre_load")
-_FORCE, _TIME, _TRAVEL = {"mpc.force_limit": 10_000}, {"mpc.sample_time": 0.005}, {"mpc.deflection_limit": 0.1}
-_NO_MOMENT = {"vehicle.cg_height": 0}
-_BRAKE_STAGE = {"mpc.stage_weights.brake": [1, 1, 6]}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,6 +36,10 @@ class Variation:
         fields = [f"`{name}={_written(value)}`" for name, value in self.changes.items()]
         where = [f"RMS over {first:g}-{last:g} m" for first, last in self.stretches or ()]
         return ", ".join([*where, *fields]) or "nothing"
+
+    def __or__(self, other: "Variation") -> "Variation":
+        """Return both at once."""
+        return Variation(changes={**self.changes, **other.changes}, stretches=self.stretches or other.stretches)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -62,81 +63,37 @@ class Cause:
         return [of_table[signal] for signal in self.signals]
 
 
-def _cause(table: int, strategy: str, against: str, signals: tuple[str, ...], *variations: Variation) -> Cause:
+def _cause(table: int, compared: str, signals: tuple[str, ...], *variations: Variation) -> Cause:
+    strategy, against = compared.split(" against ")
     return Cause(
         table=table, strategy=strategy, against=against, signals=signals, variations=(Variation(), *variations)
     )
 
 
+def _changed(name: str, value: object) -> Variation:
+    return Variation(changes={name: value})
+
+
+_FORCE, _TIME = _changed("mpc.force_limit", 10_000), _changed("mpc.sample_time", 0.005)
+_TRAVEL = _changed("mpc.deflection_limit", 0.1)
+_NO_MOMENT = _changed("vehicle.cg_height", 0)
+_FROM_20, _HARD_BRAKES = Variation(stretches=((20, 100),)), _changed("brake.maximum_deceleration", 8)
+_BRAKE_STAGE = _changed("mpc.stage_weights.brake", [1, 1, 6])
+_CRUISE_STAGE = _changed("mpc.stage_weights.cruise", [1, 1, 6])
+_BUMP_STAGE = _changed("mpc.stage_weights.bump", [1, 6, 1])
+_SEEN_LATE, _ROUGHER = _changed("speed.detection_distance", 40), _changed("road.roughness", 16e-6)
+_NO_PREVIEW, _FASTER = _changed("mpc.preview", "none"), _changed("speed.target_speed_kmh", 50)
+_LIMITS = (_FORCE, _TIME, _TRAVEL, _FORCE | _TIME, _FORCE | _TRAVEL, _TIME | _TRAVEL, _FORCE | _TIME | _TRAVEL)
+_STAGE_AND_MOMENT = (_BRAKE_STAGE, _NO_MOMENT, _BRAKE_STAGE | _NO_MOMENT)
+
 CAUSES = (
-    _cause(
-        4,
-        "speed_only",
-        "passive",
-        ("front_tyre_load",),
-        Variation(changes=_NO_MOMENT),
-        Variation(changes={"speed.detection_distance": 40}),
-        Variation(changes={"road.roughness": 16e-6}),
-    ),
-    _cause(
-        4,
-        "speed_only",
-        "passive",
-        ("body_acceleration",),
-        Variation(stretches=((20, 100),)),
-        Variation(changes={"brake.maximum_deceleration": 8}),
-        Variation(stretches=((20, 100),), changes={"brake.maximum_deceleration": 8}),
-    ),
-    _cause(
-        5,
-        "suspension_only",
-        "passive",
-        PAPER_SIGNALS,
-        Variation(changes=_FORCE),
-        Variation(changes=_TIME),
-        Variation(changes=_TRAVEL),
-        Variation(changes=_FORCE | _TIME),
-        Variation(changes=_FORCE | _TRAVEL),
-        Variation(changes=_TIME | _TRAVEL),
-        Variation(changes=_FORCE | _TIME | _TRAVEL),
-    ),
-    _cause(
-        7,
-        "lv",
-        "speed_only",
-        _TYRES,
-        Variation(changes={"mpc.stage_weights.cruise": [1, 1, 6]}),
-        Variation(changes=_BRAKE_STAGE),
-        Variation(changes=_NO_MOMENT),
-        Variation(changes=_BRAKE_STAGE | _NO_MOMENT),
-    ),
-    _cause(
-        7,
-        "lv",
-        "suspension_only",
-        _TYRES,
-        Variation(changes=_BRAKE_STAGE),
-        Variation(changes=_NO_MOMENT),
-        Variation(changes=_BRAKE_STAGE | _NO_MOMENT),
-    ),
-    _cause(
-        7,
-        "lv",
-        "suspension_only",
-        ("pitch_acceleration",),
-        Variation(changes=_NO_MOMENT),
-        Variation(changes={"mpc.preview": "none"}),
-        Variation(changes={"speed.target_speed_kmh": 50}),
-        Variation(changes=_BRAKE_STAGE),
-    ),
-    _cause(
-        8,
-        "lv",
-        "speed_only",
-        PAPER_SIGNALS,
-        Variation(changes={"mpc.stage_weights.cruise": [1, 1, 6]}),
-        Variation(changes={"mpc.stage_weights.bump": [1, 6, 1]}),
-    ),
+    _cause(4, "speed_only against passive", _TYRES[:1], _NO_MOMENT, _SEEN_LATE, _ROUGHER),
+    _cause(4, "speed_only against passive", ("body_acceleration",), _FROM_20, _HARD_BRAKES, _FROM_20 | _HARD_BRAKES),
+    _cause(5, "suspension_only against passive", PAPER_SIGNALS, *_LIMITS),
+    _cause(7, "lv against speed_only", _TYRES, _CRUISE_STAGE, *_STAGE_AND_MOMENT),
+    _cause(7, "lv against suspension_only", _TYRES, *_STAGE_AND_MOMENT),
+    _cause(7, "lv against suspension_only", ("pitch_acceleration",), _NO_MOMENT, _NO_PREVIEW, _FASTER, _BRAKE_STAGE),
+    _cause(8, "lv against speed_only", PAPER_SIGNALS, _CRUISE_STAGE, _BUMP_STAGE),
 )
 
 
@@ -236,7 +193,7 @@ def _bound(seeds: Sequence[int]) -> Iterator[str]:
         next(cell.claim for cell in cells() if (cell.table, cell.strategy, cell.against, cell.signal) == change)
         for change in ((4, "speed_only", "passive", _TYRES[0]), (7, "lv", "speed_only", _TYRES[0]))
     )
-    road = changes(CAUSES[0], Variation(changes=_NO_MOMENT), seeds)[0]
+    road = changes(CAUSES[0], _NO_MOMENT, seeds)[0]
     transfer = 1 + fall / 100
     needed = 100 * ((1 + rise / 100) * sqrt(1 - transfer * transfer) - 1)
     yield (
