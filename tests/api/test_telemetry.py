@@ -14,7 +14,6 @@ from prometheus_client.parser import text_string_to_metric_families
 
 from backend.http.request_log import SANE
 from backend.logs import CONTROL, configure
-from backend.metrics import count_runs
 from sim_core import __version__
 from tests.servers.process import wait_until
 
@@ -53,16 +52,6 @@ def test_runs_and_the_cache_are_counted(service: Any) -> None:
     assert service.run(["passive", "lqr"], scenario).status_code == 200
     whole = samples(service)
     assert grown(after, whole, "ridelab_cache_total", outcome="hit") == 2, "one a strategy of a stored run"
-
-
-def test_solver_fallbacks_and_failures_are_counted(client: httpx.Client) -> None:
-    before = samples(client)
-    count_runs("batch", "ok", 2, fallbacks=3)
-    count_runs("batch", "failed")
-    after = samples(client)
-    assert grown(before, after, "ridelab_solver_fallbacks_total") == 3
-    assert grown(before, after, "ridelab_runs_total", kind="batch", status="ok") == 2
-    assert grown(before, after, "ridelab_runs_total", kind="batch", status="failed") == 1
 
 
 def test_latency_goes_by_route_template_and_status_class(client: httpx.Client) -> None:
@@ -237,13 +226,6 @@ def test_no_text_makes_a_line_of_its_own_or_a_colour(logged: Any, terminal: bool
     assert not re.search(r"color|\[36m", content)
     if not terminal:
         assert [line["event"] for line in lines(text)][:2] == ["it said " + FORGED, FORGED]
-
-
-def test_without_a_terminal_logs_are_json_from_the_level_that_is_named(logged: Any) -> None:
-    text = logged("error")
-    logging.getLogger("some").warning("quiet")
-    logging.getLogger("some").error("loud")
-    assert [line["event"] for line in lines(text)] == ["loud"]
 
 
 def test_a_terminal_is_told_of_requests_and_of_what_an_end_waits_for_and_not_of_each_step(logged: Any) -> None:
