@@ -58,13 +58,6 @@ def batch(store: Store) -> StoredJob:
     return store.jobs.create(BATCH, rows(shared=2), "once")[0]
 
 
-def test_what_is_created_is_loaded_again(store: Store, batch: StoredJob) -> None:
-    assert batch == BATCH
-    assert store.jobs.load(BATCH.id) == BATCH
-    assert store.jobs.unfinished() == [replace(BATCH, sweep=None)]
-    assert store.jobs.load("x") is None
-
-
 def test_an_idempotency_key_has_one_batch_however_many_ask_at_once(store: Store) -> None:
     def create(number: int) -> tuple[StoredJob, bool]:
         return store.jobs.create(replace(BATCH, id=str(number)), rows(), "once")
@@ -81,16 +74,25 @@ def test_an_idempotency_key_has_one_batch_however_many_ask_at_once(store: Store)
     assert all(store.jobs.create(replace(BATCH, id=name), rows(), None)[1] for name in "xyz")
 
 
-def test_runs_wait_page_by_page_until_their_result_is_there(store: Store, batch: StoredJob) -> None:
-    first = store.job_runs.waiting(batch.id, range(5))
-    assert [run.position for run in first] == [0, 1, 2, 3, 4]
-    assert first[3].changes == '{"road.seed":1}'
+def test_a_batch_is_done_when_nothing_waits_and_not_before(store: Store, batch: StoredJob) -> None:
+    """Its runs wait page by page until their result is there."""
+    assert store.jobs.unfinished() == [replace(BATCH, sweep=None)]
+    store.jobs.start(batch.id)
+    assert [run.position for run in store.job_runs.waiting(batch.id, range(5))] == [0, 1, 2, 3, 4]
     store.job_runs.save(batch.id, computed("key-0", "key-2"), "1")
-    second = store.job_runs.waiting(batch.id, range(100))
-    assert [run.position for run in second] == [1, 3, 4, 5, 6, 7, 8, 9], "two runs shared key-0"
-    assert store.job_runs.waiting(batch.id, range(10, 100)) == []
+    waiting = store.job_runs.waiting(batch.id, range(100))
+    assert [run.position for run in waiting] == [1, 3, 4, 5, 6, 7, 8, 9], "two runs shared key-0"
     now = there(store.jobs.load(batch.id))
-    assert (now.done, now.failed) == (4, 0)
+    assert (now.done, now.failed, store.jobs.finish(batch.id)) == (4, 0, False)
+    store.job_runs.save(batch.id, computed(*(run.key for run in waiting)), "1")
+    assert store.jobs.finish(batch.id) is True
+    now = there(store.jobs.load(batch.id))
+    assert (now.state, now.done, store.jobs.unfinished()) == ("done", RUNS, [])
+    assert now.finished_at is not None
+    store.jobs.cancel(batch.id)
+    assert store.jobs.load(batch.id) == now, "too late"
+    states = [orjson.loads(event.data)["state"] for event in store.job_events.of(batch.id, 0) if event.kind == "state"]
+    assert states == ["queued", "running", "done"]
 
 
 def test_what_is_saved_twice_counts_once(store: Store, batch: StoredJob) -> None:
@@ -106,32 +108,9 @@ def test_what_is_saved_twice_counts_once(store: Store, batch: StoredJob) -> None
     assert numbers == list(range(1, len(numbers) + 1))
 
 
-def test_a_run_that_failed_stays_without_the_result_that_another_batch_gets(store: Store, batch: StoredJob) -> None:
-    store.job_runs.save(batch.id, [], "1", {1: "It took too long"})
-    other, _ = store.jobs.create(replace(BATCH, id="other"), rows(), None)
-    store.job_runs.save(other.id, computed("key-1"), "1")
-    row = store.job_runs.rows(batch.id, 0, 1)[0]
-    assert (row.status, row.reason, row.summary) == ("failed", "It took too long", None)
-    assert (row.core_version, row.compute_ms) == (None, None)
-
-
-def test_a_batch_is_done_when_nothing_waits_and_not_before(store: Store, batch: StoredJob) -> None:
-    store.jobs.start(batch.id)
-    store.job_runs.save(batch.id, computed(*(f"key-{number}" for number in range(9))), "1")
-    assert store.jobs.finish(batch.id) is False
-    store.job_runs.save(batch.id, computed("key-9"), "1")
-    assert store.jobs.finish(batch.id) is True
-    now = there(store.jobs.load(batch.id))
-    assert (now.state, now.done) == ("done", RUNS)
-    assert now.finished_at is not None
-    assert store.jobs.unfinished() == []
-    store.jobs.cancel(batch.id)
-    assert store.jobs.load(batch.id) == now, "too late"
-    states = [orjson.loads(event.data)["state"] for event in store.job_events.of(batch.id, 0) if event.kind == "state"]
-    assert states == ["queued", "running", "done"]
-
-
-def test_a_cancelled_batch_keeps_what_it_has_and_takes_no_more(store: Store, batch: StoredJob) -> None:
+def test_a_cancelled_batch_keeps_what_it_has_and_takes_no_more_until_it_is_resumed(
+    store: Store, batch: StoredJob
+) -> None:
     store.job_runs.save(batch.id, computed("key-0"), "1")
     store.jobs.cancel(batch.id)
     before, events = store.job_runs.rows(batch.id, -1, 100), store.job_events.of(batch.id, 0)
@@ -140,6 +119,13 @@ def test_a_cancelled_batch_keeps_what_it_has_and_takes_no_more(store: Store, bat
     assert store.job_events.of(batch.id, 0) == events
     assert [row.status for row in before].count("ok") == 3
     assert [row.status for row in before].count("cancelled") == RUNS - 3
+    assert store.jobs.by_idempotency_key("sweep", "once") is None
+    again, new = store.jobs.create(replace(BATCH, id="again"), rows("other"), "once")
+    assert (new, store.jobs.by_idempotency_key("sweep", "once")) == (True, again)
+    store.jobs.resume(batch.id)
+    now = there(store.jobs.load(batch.id))
+    assert (now.state, now.done, now.finished_at) == ("queued", 3, None)
+    assert len(store.job_runs.waiting(batch.id, range(RUNS))) == RUNS - 3
 
 
 def test_a_run_gets_its_key_when_it_is_handed_out_and_what_is_stored_is_not(store: Store, batch: StoredJob) -> None:
@@ -182,19 +168,6 @@ def test_planning_adds_runs_in_pieces_begins_anew_and_stops_where_the_job_was_ca
     assert there(store.jobs.load(other.id)).state == "planning"
 
 
-def test_a_cancelled_one_gives_its_key_away_and_goes_on_when_it_is_resumed(store: Store, batch: StoredJob) -> None:
-    store.job_runs.save(batch.id, computed("key-0"), "1")
-    store.jobs.cancel(batch.id)
-    assert store.jobs.by_idempotency_key("sweep", "once") is None
-    again, new = store.jobs.create(replace(BATCH, id="again"), rows("other"), "once")
-    assert new
-    assert store.jobs.by_idempotency_key("sweep", "once") == again
-    store.jobs.resume(batch.id)
-    now = there(store.jobs.load(batch.id))
-    assert (now.state, now.done, now.finished_at) == ("queued", 3, None)
-    assert len(store.job_runs.waiting(batch.id, range(RUNS))) == RUNS - 3
-
-
 def test_a_run_that_ends_after_its_batch_was_given_up_and_resumed_has_no_reason_of_before(
     store: Store, batch: StoredJob
 ) -> None:
@@ -232,7 +205,10 @@ def test_pages_are_the_newest_first_and_hold_each_once(store: Store) -> None:
     assert store.jobs.page("tuning", 9) == []
 
 
-def test_what_has_ended_is_deleted_with_its_children_unless_a_link_shows_it(store: Store, batch: StoredJob) -> None:
+def test_what_has_ended_is_deleted_with_its_children_unless_a_link_shows_it(
+    store: Store, batch: StoredJob, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is gone at once, and its rows go piece by piece."""
     store.jobs.create(replace(BATCH, id="child", parent_id=batch.id), rows("child"), None)
     store.job_runs.save(batch.id, computed("key-0"), "1")
     assert not store.jobs.delete(batch.id), "it runs"
@@ -244,27 +220,15 @@ def test_what_has_ended_is_deleted_with_its_children_unless_a_link_shows_it(stor
     assert not store.jobs.delete(batch.id), "a link shows it"
     with store.writing() as connection:
         connection.execute(links.delete())
+    monkeypatch.setattr(jobs, "PURGED", 5)
     assert store.jobs.delete(batch.id)
     assert store.jobs.load(batch.id) is None
     assert store.jobs.load("child") is None
-    purge(store)
-    assert store.job_runs.rows(batch.id, -1, 9) == []
-    assert "key-0" in store.runs.load_results(["key-0"]), "others may share a result"
-
-
-def test_a_deleted_job_is_gone_at_once_and_its_rows_go_piece_by_piece(
-    store: Store, batch: StoredJob, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """SQLite lets nobody else write meanwhile, and a job may have 100,000 rows."""
-    monkeypatch.setattr(jobs, "PURGED", 5)
-    store.jobs.cancel(batch.id)
-    assert store.jobs.delete(batch.id)
-    assert store.jobs.load(batch.id) is None
     assert store.jobs.page("sweep", 9) == []
-    assert store.jobs.by_idempotency_key("sweep", "once") is None
     assert store.jobs.create(replace(BATCH, id="again"), [], "once")[1], "its key is free"
     left = []
     while store.jobs.purge():
         left.append(len(store.job_runs.rows(batch.id, -1, 99)))
-    assert left[:3] == [7, 2, 0]
-    assert store.job_events.of(batch.id, 0) == []
+    assert left[0] == RUNS - 5, "SQLite lets nobody else write meanwhile, and a job may have 100,000 rows"
+    assert left[-1] == len(store.job_events.of(batch.id, 0)) == 0
+    assert "key-0" in store.runs.load_results(["key-0"]), "others may share a result"
