@@ -64,6 +64,8 @@ def _check_strategy(name: str) -> str:
 
 def _check_options(scenario: Scenario) -> Scenario:
     """What is sent anew has options of controllers that there are, with values that they take."""
+    if not scenario.own.controllers:
+        return scenario
     by_id = strategies()
     offered = [name for name, each in by_id.items() if each.options()]
     for controller, options in scenario.own.controllers.items():

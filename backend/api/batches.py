@@ -147,7 +147,6 @@ async def get_batch_requirements(job_id: jobs.JobId, service: Service) -> Respon
 )
 async def get_batch_summary(
     job_id: jobs.JobId,
-    request: Request,
     service: Service,
     client: Client,
     figures: Annotated[
@@ -162,7 +161,7 @@ async def get_batch_summary(
     Over the runs that have finished. The worst place of a figure is its `highest`.
     """
     names = _figures(figures, NUMBERS) or list(robustness.FIGURES)
-    return json_answer(await cancel_on_disconnect(request, service.summary(job_id, names, baseline, client)))
+    return json_answer(await service.summary(job_id, names, baseline, client))
 
 
 @batches.get("/robustness", operation_id="getRobustnessDefaults", response_model=RobustnessDefaults)

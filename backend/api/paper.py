@@ -7,7 +7,7 @@ from fastapi.responses import HTMLResponse
 
 from backend.api import router
 from backend.api.deps import Client, html_answer, service
-from backend.http.answers import cancel_on_disconnect, json_answer, takes_gzip
+from backend.http.answers import json_answer, takes_gzip
 from backend.paper import models, queries
 from backend.paper.service import Paper
 
@@ -21,28 +21,28 @@ OverRoads = Annotated[queries.RoadsQuery, Query()]
 
 
 @paper.get("/paper", operation_id="getPaper", response_model=models.PaperAnswer)
-async def get_paper(query: ForPage, request: Request, service: PaperService, client: Client) -> Response:
+async def get_paper(query: ForPage, service: PaperService, client: Client) -> Response:
     """Every printed change of Tables 4-5 and 7-10 with ours and a verdict; readings by name of a set or singly."""
     answering = service.reproduction(query.choices(), query.roads, client, partial=query.partial)
-    return json_answer(await cancel_on_disconnect(request, answering))
+    return json_answer(await answering)
 
 
 @paper.get("/paper/readings", operation_id="getPaperReadings", response_model=models.ReadingsAnswer)
-async def get_readings(query: OverRoads, request: Request, service: PaperService, client: Client) -> Response:
+async def get_readings(query: OverRoads, service: PaperService, client: Client) -> Response:
     """What each reading does to the verdicts by itself; ask again while it is not complete."""
-    return json_answer(await cancel_on_disconnect(request, service.readings(query.roads, client)))
+    return json_answer(await service.readings(query.roads, client))
 
 
 @paper.get("/paper/attribution", operation_id="getPaperAttribution", response_model=models.AttributionAnswer)
-async def get_attribution(query: OverRoads, request: Request, service: PaperService, client: Client) -> Response:
+async def get_attribution(query: OverRoads, service: PaperService, client: Client) -> Response:
     """Preview, weights and speed varied one at a time, and how much of LV's gain each is."""
-    return json_answer(await cancel_on_disconnect(request, service.attribution(query.roads, client)))
+    return json_answer(await service.attribution(query.roads, client))
 
 
 @paper.get("/paper/figures", operation_id="getPaperFigures", response_model=models.PaperFigures)
-async def get_figures(query: OverRoads, request: Request, service: PaperService, client: Client) -> Response:
+async def get_figures(query: OverRoads, service: PaperService, client: Client) -> Response:
     """Figures 3-6, 8, 10-17 and 19-22 from our own runs."""
-    return json_answer(await cancel_on_disconnect(request, service.figures(query.roads, client)))
+    return json_answer(await service.figures(query.roads, client))
 
 
 @paper.get(
@@ -54,5 +54,4 @@ async def get_figures(query: OverRoads, request: Request, service: PaperService,
 async def get_report(query: ForReport, request: Request, service: PaperService, client: Client) -> Response:
     """All of this as one HTML file that needs nothing else; each reading may be chosen for its tables."""
     work = service.report(query.choices(), query.roads, client, compressed=takes_gzip(request))
-    report = await cancel_on_disconnect(request, work)
-    return html_answer(report, "ridelab-paper.html")
+    return html_answer(await work, "ridelab-paper.html")

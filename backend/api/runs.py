@@ -13,7 +13,6 @@ from backend.digest import RUN_ID_LENGTH
 from backend.errors import InvalidError
 from backend.file_formats import BINARY, MEDIA_TYPES, FileFormat
 from backend.http.answers import (
-    cancel_on_disconnect,
     content_answer,
     json_answer,
     revalidated,
@@ -142,7 +141,7 @@ async def get_run(
         baseline=baseline,
         compared=_names("compare", compare),
     )
-    return revalidated(request, await cancel_on_disconnect(request, work))
+    return revalidated(request, await work)
 
 
 @runs.get("/runs/{id}/changes", operation_id="getChanges", response_model=PairedChanges, responses=NOT_CHANGED)
@@ -158,7 +157,7 @@ async def get_changes(
 ) -> Response:
     """Of a run over several roads: changes against another run, strategy by strategy, or a strategy; paired by road."""
     work = service.changes(run_id, client, against=against, baseline=baseline)
-    return revalidated(request, await cancel_on_disconnect(request, work))
+    return revalidated(request, await work)
 
 
 @drawing.get(
@@ -212,7 +211,7 @@ async def get_instant(
 ) -> Response:
     """What a controller saw and decided in the control step there, which limits shaped it, and at what price."""
     work = analysis.instant(run_id, strategy, position, time, client)
-    return revalidated(request, await cancel_on_disconnect(request, work))
+    return revalidated(request, await work)
 
 
 @drawing.get("/runs/{id}/differences", operation_id="getDifferences", response_model=Deviations, responses=NOT_CHANGED)

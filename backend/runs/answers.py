@@ -6,8 +6,11 @@ Over 50 roads they take 0.2 s: they are made in threads, beside the event loop.
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import asdict, replace
+from hashlib import sha256
 from math import isfinite
+from threading import Lock
 
+import cachetools
 import orjson
 
 from backend.errors import InvalidError
@@ -25,7 +28,9 @@ from sim_core.comparison.compare import Comparison, compare_summaries, default_b
 from sim_core.comparison.intervals import Interval
 from sim_core.comparison.rows import Row, changes_between, row_of
 from sim_core.scenario import Scenario, characteristics
-from sim_core.strategies import label_of
+from sim_core.strategies import find_strategy, label_of
+
+WRITTEN_FACTS = 128  # runs, and ways to compare them, whose facts are kept; at most 0.1 MB each
 
 
 def run_answer(
@@ -35,7 +40,6 @@ def run_answer(
     requirements: Sequence[Requirement] = (),
     baseline: str | None = None,
     compared: Collection[str] | None = None,
-    scenario: Scenario | None = None,
 ) -> JsonObject:
     """Return the answer about a stored run, for orjson.
 
@@ -45,7 +49,6 @@ def run_answer(
         requirements: What its strategies are held to.
         baseline: The strategy that all changes refer to, those of requirements too; None is the run's own.
         compared: The strategies that `comparison` is of, beside its baseline; None is all.
-        scenario: The run's, where it is there as more than JSON already.
     """
     fields: dict[str, JsonObject] = {name: {} for name in stored.by_strategy}
     if cached is not None:
@@ -53,12 +56,11 @@ def run_answer(
     for name, (first, *_) in stored.by_strategy.items():
         if first.core_version not in (None, stored.core_version):
             fields[name]["core_version"] = first.core_version
-    scenario = scenario or Scenario.model_validate(stored.scenario)
     head: JsonObject = {
         "id": stored.id,
         "core_version": stored.core_version,
         "scenario": stored.scenario,
-        **_facts(scenario, _comparison(stored, scenario, baseline, compared)),
+        **_written_facts(stored, baseline, compared),
     }
     if requirements:
         head["requirement_results"] = _judged(stored, requirements, baseline)
@@ -77,6 +79,27 @@ def run_answer(
     }
 
 
+def _all_that_facts_depend_on(
+    stored: StoredRun, baseline: str | None, compared: Collection[str] | None
+) -> tuple[object, ...]:
+    """Return a digest of a run and how it is compared, and the controllers as they are now, whose labels are shown."""
+    results = [(item.strategy, item.status, item.core_version, orjson.Fragment(item.json)) for item in stored.results]
+    against = baseline or stored.baseline
+    selected = None if compared is None else sorted(compared)
+    content = orjson.dumps((stored.core_version, stored.scenario, stored.roads, against, selected, results))
+    return (sha256(content).digest(), *map(find_strategy, stored.by_strategy))
+
+
+@cachetools.cached(cachetools.LRUCache(WRITTEN_FACTS), _all_that_facts_depend_on, Lock())
+def _written_facts(
+    stored: StoredRun, baseline: str | None, compared: Collection[str] | None
+) -> dict[str, orjson.Fragment]:
+    """Return the facts of a stored run as JSON: to compare takes longer than all else of a stored run's answer."""
+    scenario = Scenario.model_validate(stored.scenario)
+    facts = _facts(scenario, comparison_of(stored, scenario, baseline, compared))
+    return {name: orjson.Fragment(orjson.dumps(value)) for name, value in facts.items()}
+
+
 def _facts(scenario: Scenario, comparison: Comparison) -> JsonObject:
     """Return what an answer says of its scenario and of its results; its cautions are those of the comparison."""
     return {
@@ -86,8 +109,8 @@ def _facts(scenario: Scenario, comparison: Comparison) -> JsonObject:
     }
 
 
-def _comparison(
-    stored: StoredRun, scenario: Scenario, baseline: str | None, compared: Collection[str] | None
+def comparison_of(
+    stored: StoredRun, scenario: Scenario, baseline: str | None, compared: Collection[str] | None = None
 ) -> Comparison:
     """Return what the strategies that succeeded on every road mean beside each other."""
     names = list(stored.by_strategy)

@@ -85,8 +85,7 @@ class Runs:
         """
         run, cached = await self.get_or_compute(scenario, strategies, client, roads=roads, baseline=baseline)
         answer = partial(run_answer, run, cached=cached, requirements=requirements, baseline=baseline)
-        known = None if scenario.road.follows_profile else scenario
-        return await asyncio.to_thread(answer, scenario=known)
+        return await asyncio.to_thread(answer)
 
     async def get_or_compute(
         self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None

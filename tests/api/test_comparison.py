@@ -1,18 +1,23 @@
 """What results mean beside each other, over HTTP: the core's comparison in answers about runs."""
 
 import json
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any
+from unittest.mock import Mock
 
 import httpx
 import orjson
 import pytest
 
 from backend.outcome import Outcome
+from backend.runs import answers
 from backend.runs.answers import as_plain, run_answer
 from backend.store import StoredRun
 from sim_core import Comparison, Scenario, compare, simulate
 from sim_core.catalogue import PAPER_METRICS
+from sim_core.comparison.compare import compare_summaries
+from sim_core.scenario import Road
+from sim_core.strategies import STRATEGIES
 from tests.api.conftest import Service
 from tests.api.test_recordings import SCENARIO, SENT, recorded, send
 
@@ -122,6 +127,32 @@ def test_a_strategy_of_another_core_is_cautioned_beside_the_vehicle(run: dict[st
     }
     without = as_plain(run_answer(stored, compared=["lv"]))
     assert [each["kind"] for each in without["cautions"]] == ["paper_sag"]
+
+
+def test_a_stored_run_is_compared_once_until_something_of_it_changes(
+    run: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    comparing = Mock(wraps=compare_summaries)
+    monkeypatch.setattr(answers, "compare_summaries", comparing)
+    results = tuple(
+        Outcome(key=name, strategy=name, status="ok", json=orjson.dumps(each), compute_ms=1.0, core_version="0.4.0")
+        for name, each in run["strategies"].items()
+    )
+    stored = StoredRun(id="s", core_version="0.4.0", schema_version=1, scenario=run["scenario"], results=results)
+    first = as_plain(run_answer(stored))
+    assert as_plain(run_answer(stored)) == first
+    assert comparing.call_count == 1
+    for changed, parameters in (
+        (stored, {"baseline": "lqr"}),
+        (stored, {"compared": ["lv"]}),
+        (replace(stored, results=(replace(results[0], json=results[1].json), *results[1:])), {}),
+        (replace(stored, results=(replace(results[0], core_version="0.3.0"), *results[1:])), {}),
+        (replace(stored, scenario=Scenario(road=Road(roughness=0.0)).model_dump(mode="json")), {}),
+    ):
+        assert as_plain(run_answer(changed, **parameters))["comparison"] != first["comparison"]
+    with monkeypatch.context() as renamed:
+        renamed.setitem(STRATEGIES, "lv", type("Renamed", (STRATEGIES["lv"],), {"label": "Another name"}))
+        assert "Another name" in as_plain(run_answer(stored))["comparison"]["verdict"]["text"]
 
 
 @pytest.mark.parametrize(

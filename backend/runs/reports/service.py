@@ -8,7 +8,7 @@ from functools import partial
 from backend.errors import GoneError
 from backend.gate import Gate
 from backend.requirements import Requirement
-from backend.runs.answers import as_plain, metric_changes, run_answer
+from backend.runs.answers import as_plain, comparison_of, metric_changes, run_answer
 from backend.runs.histories import Histories
 from backend.runs.reports import page
 from backend.runs.reports import run as run_report
@@ -16,6 +16,7 @@ from backend.runs.reports.page import Report, in_thread
 from backend.runs.results import Outcomes
 from backend.runs.service import Runs, check_has
 from sim_core.comparison.compare import default_baseline
+from sim_core.scenario import Scenario
 
 
 @dataclass(eq=False, kw_only=True)
@@ -64,8 +65,10 @@ class RunReports:
         base = baseline or stored.baseline or default_baseline(names)
         judged = partial(run_answer, stored, requirements=requirements, baseline=baseline)
         answer = await asyncio.to_thread(judged)
-        changes = answer["comparison"].changes
-        if against is not None:
+        if against is None:
+            scenario = Scenario.model_validate(stored.scenario)
+            changes = (await asyncio.to_thread(comparison_of, stored, scenario, baseline)).changes
+        else:
             run = await self.runs.reference(against, client)
             changes = await asyncio.to_thread(metric_changes, stored, run)
         facts = run_report.RunFacts(
