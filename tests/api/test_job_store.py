@@ -108,6 +108,15 @@ def test_what_is_saved_twice_counts_once(store: Store, batch: StoredJob) -> None
     assert numbers == list(range(1, len(numbers) + 1))
 
 
+def test_a_run_that_failed_stays_without_the_result_that_another_batch_gets(store: Store, batch: StoredJob) -> None:
+    store.job_runs.save(batch.id, [], "1", {1: "It took too long"})
+    other, _ = store.jobs.create(replace(BATCH, id="other"), rows(), None)
+    store.job_runs.save(other.id, computed("key-1"), "1")
+    row = store.job_runs.rows(batch.id, 0, 1)[0]
+    assert (row.status, row.reason, row.summary) == ("failed", "It took too long", None)
+    assert (row.core_version, row.compute_ms) == (None, None)
+
+
 def test_a_cancelled_batch_keeps_what_it_has_and_takes_no_more_until_it_is_resumed(
     store: Store, batch: StoredJob
 ) -> None:

@@ -78,20 +78,16 @@ def test_a_long_one_is_compressed_and_asked_for_by_its_head(
     assert int(head.headers["content-length"]) == len(plain.content)
 
 
-def test_a_batchs_table_is_the_same(client: httpx.Client, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_tables_and_bands_are_the_same(client: httpx.Client, monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
     scenario, sweep = {"road": {"length": 131.7}}, {"grid": {"road.bump.height": [0.05, 0.06]}}
     batch = computed(client, scenario=scenario, strategies=["passive"], sweep=sweep)["id"]
-    short, long = both(client, monkeypatch, f"/batches/{batch}/table", figures="travel_time")
-    assert short.content == long.content
-    assert json.loads(long.content)["columns"]["run"] == [0, 1]
-
-
-def test_bands_are_the_same(client: httpx.Client, monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
-    body = {"scenario": {"road": {"length": 131.8}}, "strategies": ["passive"], "roads": 2}
+    body = {"scenario": scenario, "strategies": ["passive"], "roads": 2}
     run = client.post("/api/v1/runs", json=body).json()["id"]
-    short, long = both(client, monkeypatch, f"/runs/{run}/bands", points=100)
-    assert short.status_code == long.status_code == 200
-    assert short.content == long.content
+    table = both(client, monkeypatch, f"/batches/{batch}/table", figures="travel_time")
+    assert json.loads(table[1].content)["columns"]["run"] == [0, 1]
+    for short, long in (table, both(client, monkeypatch, f"/runs/{run}/bands", points=100)):
+        assert short.status_code == long.status_code == 200
+        assert short.content == long.content
     wait_until(lambda: len(files(folder)) == 1, "the answer's file is gone, and the band's is cached")
 
 

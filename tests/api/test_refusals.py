@@ -137,6 +137,8 @@ def test_a_value_is_refused_at_its_place(
         ("runs/RUN/series", {"strategy": "lv,teleport"}, "strategy"),
         ("runs/RUN/series", {"strategy": "speed_only"}, "strategy"),
         ("runs/RUN/series", {"strategy": "lv", "signals": "speed,colour"}, "signals"),
+        ("runs/RUN/series", {}, "strategy"),
+        ("runs/RUN/series", {"strategy": "lv", "format": "parquet"}, "format"),
         ("runs/RUN/report.html", {"baseline": "speed_only"}, "baseline"),
         ("runs/RUN/differences", {"baseline": ""}, "baseline"),
         ("runs/RUN/instant", {"strategy": "skyhook", "position": "50"}, "strategy"),

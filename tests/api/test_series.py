@@ -62,26 +62,12 @@ def test_json_and_csv_hold_the_same_numbers(client: httpx.Client, address: str) 
     np.testing.assert_array_equal(np.array([unpack(answer["series"][key]) for key in SIGNALS]), numbers)
 
 
-def test_parquet_is_refused_with_what_makes_it(client: httpx.Client, address: str) -> None:
-    answer = client.get(address, params={"strategy": "lv", "format": "parquet"})
-    (error,) = answer.json()["errors"]
-    assert (answer.status_code, error["parameter"]) == (422, "format")
-    assert "ridelab export ID --out FILE.parquet" in error["message"]
-
-
 def test_chosen_signals_come_with_time_and_position(client: httpx.Client, address: str) -> None:
     answer = client.get(address, params={"strategy": "lv", "signals": "rear_force,speed"}).json()
     assert list(answer["series"]) == ["time", "position", "speed", "rear_force"]
+    few = table(client, address, strategy="lv", points=2)[1]
+    assert len(few) == 2, "the ends"
     assert table(client, address, strategy="lv", signals="speed")[0] == ["time [s]", "position [m]", "speed [m/s]"]
-
-
-def test_the_strategy_may_be_omitted_where_there_is_one(service: Any, address: str) -> None:
-    single = service.run(["passive"], {"road": {"length": 132.1}}).json()
-    assert service.get(f"/api/v1/runs/{single['id']}/series?points=50").json()["strategy"] == "passive"
-    refused = service.get(address)
-    assert refused.status_code == 422
-    assert refused.json()["errors"][0]["parameter"] == "strategy"
-    assert "lqr" in refused.json()["detail"]
 
 
 @pytest.mark.parametrize("points", [100, 800])
@@ -164,17 +150,3 @@ def test_decimation_keeps_to_its_points_with_ends_and_extremes(
             np.testing.assert_array_equal(
                 extreme.reduce(part, axis=1, initial=np.nan), extreme.reduce(whole, axis=1, initial=np.nan)
             )
-
-
-@pytest.mark.parametrize("points", [2, 3, 50, 200])
-def test_points_is_the_most_samples_of_every_answer(client: httpx.Client, run: dict[str, Any], points: int) -> None:
-    scenario = client.get(f"/api/v1/runs/{run['id']}").json()["scenario"]
-    body = {"scenario": scenario, "strategies": ["lv"], "points": points}
-    for part in (None, "bump"):
-        live = client.post("/api/v1/live", json={**body, "part": part}).json()["strategies"]["lv"]["series"]
-        assert 2 <= len(unpack(live["time"])) <= points
-    for file_format in ("csv", "json"):
-        query: dict[str, str | int] = {"strategy": "lv", "points": points, "format": file_format}
-        answer = client.get(f"/api/v1/runs/{run['id']}/series", params=query)
-        count = len(answer.json()["series"]["time"]) if file_format == "json" else len(answer.text.splitlines()) - 1
-        assert 2 <= count <= points

@@ -14,6 +14,7 @@ from prometheus_client.parser import text_string_to_metric_families
 
 from backend.http.request_log import SANE
 from backend.logs import CONTROL, configure
+from backend.metrics import count_runs
 from sim_core import __version__
 from tests.servers.process import wait_until
 
@@ -52,6 +53,14 @@ def test_runs_and_the_cache_are_counted(service: Any) -> None:
     assert service.run(["passive", "lqr"], scenario).status_code == 200
     whole = samples(service)
     assert grown(after, whole, "ridelab_cache_total", outcome="hit") == 2, "one a strategy of a stored run"
+
+
+def test_steps_without_an_answer_of_the_solver_are_counted(client: httpx.Client) -> None:
+    before = samples(client)
+    count_runs("batch", "failed", fallbacks=3)
+    after = samples(client)
+    assert grown(before, after, "ridelab_solver_fallbacks_total") == 3
+    assert grown(before, after, "ridelab_runs_total", kind="batch", status="failed") == 1
 
 
 def test_latency_goes_by_route_template_and_status_class(client: httpx.Client) -> None:
