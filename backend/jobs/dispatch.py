@@ -12,7 +12,7 @@ from backend import custom_controllers, metrics
 from backend.compute.chunk_messages import Chunk, ChunkError, ChunkOutcome
 from backend.compute.executor import Executor, ExecutorLostError
 from backend.compute.workers import Workers
-from backend.errors import CHEAPER_RUN, ServiceError, WorkerLostError
+from backend.errors import CHEAPER_RUN, ServiceError, WorkerLostError, WorkerTimeoutError
 from backend.job_run import JobRun
 from backend.jobs.chunk_cutter import RunningJob
 from backend.outcome import Outcome
@@ -74,11 +74,9 @@ class Dispatch:
     async def _compute(self, executor: Executor, running: RunningJob, runs: list[JobRun], priority: int) -> None:
         committing = False
         try:
-            handed_out = await self._hand_out(running, runs)
-            if handed_out is None:
+            runs, outcome = await self._computed(executor, running, runs, priority)
+            if not runs:
                 return
-            runs, roads = handed_out
-            outcome = await _outcome(executor, self._chunk(running, runs, roads, priority))
             if outcome.computed is not None:
                 computed, failures = _split(running, runs, outcome.computed)
             elif await self._retry(running, runs, outcome):
@@ -91,27 +89,37 @@ class Dispatch:
             if not committing:
                 self._end(running)
 
-    async def _hand_out(
-        self, running: RunningJob, runs: list[JobRun]
-    ) -> tuple[list[JobRun], dict[str, MeasuredRoad]] | None:
-        """Give the runs their keys; return those to compute, with their roads, None where there are none now."""
-        job, keys = running.job, running.kind.keys
+    async def _computed(
+        self, executor: Executor, running: RunningJob, runs: list[JobRun], priority: int
+    ) -> tuple[list[JobRun], ChunkOutcome]:
+        """Hand these runs out; return those that had to be computed, all where that failed, and what became of them."""
         try:
-            if keys is not None:
-                base = job.request["scenario"], job.schema_version
-                cost = KEY_COST * len(runs)
-                runs = await self._workers.call(keys, *base, runs, client=running.group, cost=cost)
-            left = await self._store.write(self._store.job_runs.hand_out, job.id, runs)
+            left, roads = await self._hand_out(running, runs)
             if not left:
-                running.record_time(len(runs), KEY_COST * len(runs))
-            return (left, await self._roads(job, left)) if left else None
+                return [], ChunkOutcome(computed=[])
+            runs = left
+            return runs, await executor.compute(self._chunk(running, runs, roads, priority))
         except WorkerLostError:
-            await self._retry(running, runs, ChunkOutcome(error="lost"))
-        except (SQLAlchemyError, OSError, ServiceError) as error:
-            logger.warning("A chunk could not be handed out: %s", type(error).__name__)
-            running.take_back(runs)
-            await asyncio.sleep(PAUSE_AFTER_FAILURE)  # what failed may be back by then
-        return None
+            return runs, ChunkOutcome(error="lost")
+        except WorkerTimeoutError:
+            return runs, ChunkOutcome(error="timeout")
+        except (SQLAlchemyError, OSError, ServiceError, ExecutorLostError) as error:
+            return runs, ChunkOutcome(error="busy", detail=type(error).__name__)
+        except Exception:  # a bug of ours: this chunk's run fails and says so, the others go on
+            logger.exception("A chunk could not be sent")
+            return runs, ChunkOutcome(error="bug")
+
+    async def _hand_out(self, running: RunningJob, runs: list[JobRun]) -> tuple[list[JobRun], dict[str, MeasuredRoad]]:
+        """Give the runs their keys; return those to compute, with their roads."""
+        job, keys = running.job, running.kind.keys
+        if keys is not None:
+            base = job.request["scenario"], job.schema_version
+            cost = KEY_COST * len(runs)
+            runs = await self._workers.call(keys, *base, runs, client=running.group, cost=cost)
+        left = await self._store.write(self._store.job_runs.hand_out, job.id, runs)
+        if not left:
+            running.record_time(len(runs), KEY_COST * len(runs))
+        return left, await self._roads(job, left)
 
     def _chunk(
         self, running: RunningJob, runs: list[JobRun], roads: Mapping[str, MeasuredRoad], priority: int
@@ -176,16 +184,6 @@ class Dispatch:
     def _end(self, running: RunningJob) -> None:
         running.open_chunks -= 1
         self.returned.set()
-
-
-async def _outcome(executor: Executor, chunk: Chunk) -> ChunkOutcome:
-    try:
-        return await executor.compute(chunk)
-    except ExecutorLostError as error:
-        return ChunkOutcome(error="busy", detail=str(error))
-    except Exception:  # a bug of ours: this chunk's run fails and says so, the others go on
-        logger.exception("A chunk could not be sent")
-        return ChunkOutcome(error="bug")
 
 
 def _split(

@@ -4,6 +4,8 @@ from backend.errors import ServiceError
 from backend.http.problem_types import KINDS, TYPES
 from backend.json_types import JsonObject
 from backend.models import Answer
+from backend.unknown_names import pointer
+from sim_core.errors import RidelabError
 
 
 class InvalidPlace(Answer):
@@ -23,8 +25,11 @@ class JobProblem(Answer):
     errors: list[InvalidPlace]
 
 
-def problem_of(error: ServiceError) -> JsonObject:
+def problem_of(error: ServiceError | RidelabError) -> JsonObject:
     """Return the problem that a request which met this error would be answered with."""
+    if isinstance(error, RidelabError):
+        field = "" if error.field is None else pointer(["scenario", *error.field.split(".")])
+        error = ServiceError(error.message, kind="refused", errors=[{"pointer": field, "message": error.message}])
     kind = KINDS[error.kind]
     problem = JobProblem(
         type=f"{TYPES}{error.kind}",

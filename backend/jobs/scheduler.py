@@ -33,6 +33,7 @@ from backend.settings import Settings
 from backend.store import Store, StoredJob
 from backend.store.job import UNFINISHED, State
 from sim_core import __version__ as CORE_VERSION
+from sim_core.errors import RidelabError
 
 logger = logging.getLogger(__name__)
 
@@ -282,14 +283,16 @@ class Scheduler:
             await write(end, "queued", **asdict(size))
         except PlanningEndedError:
             return
-        except (*TRANSIENT, DamagedError) as error:
-            self._crash_count[job.id] += isinstance(error, WorkerLostError)
+        except WorkerLostError as error:
+            self._crash_count[job.id] += 1
             if self._crash_count[job.id] < MOST_CRASHES:
                 raise
-            await write(end, "failed", reason=str(error))
-        except ServiceError as error:
-            problem = {"problem": problem_of(error)}
-            await write(end, "failed", reason=error.message, progress=job.progress | problem)
+            await write(end, "failed", reason=error.message)
+            del self._crash_count[job.id]  # resumed, it may be tried as often again
+        except (*TRANSIENT, DamagedError):
+            raise
+        except (ServiceError, RidelabError) as error:
+            await write(end, "failed", reason=error.message, progress=job.progress | {"problem": problem_of(error)})
         except Exception:  # a bug of ours: this job fails and says so, the others go on
             logger.exception("Job %s could not be planned", job.id)
             await write(end, "failed", reason=UNFORESEEN)
