@@ -180,7 +180,6 @@ def test_a_law_of_ones_own_that_is_linear_leaves_as_an_fmu(service: Service, fol
     assert given == [[-1000.0] * 2, [-1500.0] * 2, [-3500.0] * 2]
     refused = service.post("/api/v1/fmus", json={"strategy": "mine"})
     assert refused.status_code == 422
-    assert "its forces follow no linear law; a controller of one's own needs linear_law" in refused.json()["detail"]
     both = (folder / "harder.py").read_text().replace("harder", "both")
     (folder / "both.py").write_text(f"{both}\n    def force(self, seen):\n        return 0.0, 0.0\n")
     refused = service.post("/api/v1/fmus", json={"strategy": "both"})
