@@ -11,16 +11,14 @@ from typing import Any
 
 import check_jsonschema
 import pytest
-import yaml
 
 from backend.settings import MAX_BODY_BYTES, Settings
-from tests.servers.programs import find
+from tests.servers.compose import COMPOSE, VARIABLE
+from tests.servers.process import ROOT
+from tests.servers.programs import make_secrets
 
-ROOT = Path(__file__).parents[2]
-COMPOSE: dict[str, Any] = yaml.safe_load((ROOT / "docker-compose.yml").read_text())
 SERVICES: dict[str, dict[str, Any]] = COMPOSE["services"]
 IMAGE = r"[a-z]+:\d+[\w.-]*(?:@sha256:[0-9a-f]{64})?"
-VARIABLE = re.compile(r"\$\{(\w+):-([^}]*)\}")
 
 
 @pytest.fixture(scope="module")
@@ -93,23 +91,16 @@ def test_secrets_are_files_and_not_in_the_file(tmp_path: Path) -> None:
                 assert value.removeprefix("/run/secrets/") in service["secrets"], f"{name}: {key}"
             assert not re.search(r"://[^/@]*:[^/@]*@", str(value)), f"{name}: {key} holds a password"
     assert {"/secrets/", ".env"} <= set((ROOT / ".gitignore").read_text().splitlines())
-    folder = make_secrets(tmp_path)
+    folder = make_secrets(tmp_path / "secrets")
     assert {secret["file"] for secret in COMPOSE["secrets"].values()} == {f"secrets/{path.name}" for path in folder}
 
 
-def make_secrets(folder: Path) -> list[Path]:
-    find("openssl", package="openssl")
-    script = ROOT / "backend/deploy/secrets.sh"
-    subprocess.run([script, folder / "secrets"], check=True, capture_output=True)
-    return sorted((folder / "secrets").iterdir())
-
-
 def test_the_script_makes_secrets_for_nobody_else_and_keeps_them(tmp_path: Path) -> None:
-    files = {path.name: path.read_bytes() for path in make_secrets(tmp_path)}
     folder = tmp_path / "secrets"
+    files = {path.name: path.read_bytes() for path in make_secrets(folder)}
     assert folder.stat().st_mode & 0o077 == 0, "nobody else looks into the folder"
     assert len(files["database_password"].strip()) >= 32
-    assert {path.name: path.read_bytes() for path in make_secrets(tmp_path)} == files
+    assert {path.name: path.read_bytes() for path in make_secrets(folder)} == files
 
 
 def test_what_may_be_changed_is_in_the_example_with_its_default() -> None:

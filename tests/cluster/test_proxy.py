@@ -5,7 +5,6 @@ import re
 import select
 import socket
 import ssl
-import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -17,8 +16,8 @@ from backend.http.problems import Problem
 from backend.settings import MAX_BODY_BYTES
 from tests.cluster.replica import Replica
 from tests.servers.haproxy import Proxy
-from tests.servers.process import HANG_TIMEOUT, ROOT, request, wait_until
-from tests.servers.programs import find
+from tests.servers.process import HANG_TIMEOUT, request, wait_until
+from tests.servers.programs import make_secrets
 
 LONGEST, LONGEST_ROAD = MAX_BODY_BYTES, LONGEST_GRID
 REQUEST_TIMEOUT = 2.0  # what the hasty proxy gives a request to arrive; ten seconds in production [s]
@@ -36,10 +35,7 @@ def replicas() -> Iterator[list[Replica]]:
 @pytest.fixture(scope="module")
 def certificate(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A certificate as the script creates it for docker-compose.yml: for localhost, self-signed, with its key."""
-    find("openssl", package="openssl")
-    folder = tmp_path_factory.mktemp("certificate") / "secrets"
-    subprocess.run([ROOT / "backend/deploy/secrets.sh", folder], check=True, capture_output=True)
-    return folder / "proxy.pem"
+    return next(path for path in make_secrets(tmp_path_factory.mktemp("certificate")) if path.name == "proxy.pem")
 
 
 @pytest.fixture(scope="module")

@@ -1,7 +1,6 @@
 """docker-compose.yml as plain processes: its commands and environments, with this machine's addresses and files."""
 
 import re
-import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -12,7 +11,7 @@ from sqlalchemy import NullPool, create_engine, make_url
 from tests.servers.haproxy import Proxy
 from tests.servers.postgres import Postgres
 from tests.servers.process import ROOT, Ends, Program, reserved_port, wait_until
-from tests.servers.programs import find
+from tests.servers.programs import make_secrets
 
 COMPOSE: dict[str, Any] = yaml.safe_load((ROOT / "docker-compose.yml").read_text())
 VARIABLE = re.compile(r"\$\{(\w+):-([^}]*)\}")
@@ -64,12 +63,11 @@ class Topology(Ends):
             program.end()
 
     def _secrets(self) -> None:
-        find("openssl", package="openssl")
         url = make_url(self.database)
         self._passwordless = f"{url.drivername}://{url.username}@{url.host}:{self._database_port}/{url.database}"
         (self.folder / "secrets").mkdir()
         (self.folder / "secrets/database_password").write_text(f"{url.password}\n")
-        subprocess.run([ROOT / "backend/deploy/secrets.sh", self.folder / "secrets"], check=True, capture_output=True)
+        make_secrets(self.folder / "secrets")
 
     def _start(self, service: str, number: int = 1) -> Program:
         content = COMPOSE["services"][service]

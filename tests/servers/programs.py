@@ -9,6 +9,8 @@ from typing import Any
 
 import pytest
 
+from tests.servers.process import ROOT
+
 
 def find(name: str, *, package: str, folders: str = "") -> str:
     """The program's path; installs its Debian package where that is possible and it is missing.
@@ -29,6 +31,13 @@ def find(name: str, *, package: str, folders: str = "") -> str:
         if program_path := shutil.which(name, path=path):
             return program_path
     pytest.fail(f"These tests need the program {name}. Install it: apt-get install {package}")
+
+
+def make_secrets(folder: Path) -> list[Path]:
+    """Return the secrets of docker-compose.yml, which its script makes in this folder."""
+    find("openssl", package="openssl")
+    subprocess.run([ROOT / "backend/deploy/secrets.sh", folder], check=True, capture_output=True)
+    return sorted(folder.iterdir())
 
 
 def _install(package: str) -> bool:

@@ -1,6 +1,5 @@
 """Settings that are refused, with a sentence that names the variable, and those that belong together."""
 
-import subprocess
 import sys
 from pathlib import Path
 
@@ -8,8 +7,7 @@ import pytest
 
 from backend.command_error import CommandError
 from backend.settings import Settings, removed_in
-from tests.servers.process import ROOT
-from tests.servers.programs import find
+from tests.servers.programs import make_secrets
 
 URL = "postgresql+psycopg://ridelab@database/ridelab"
 
@@ -101,8 +99,7 @@ def test_a_password_that_cannot_be_read_ends_the_start(password: str) -> None:
 
 
 def test_tls_takes_three_readable_files_and_an_address_that_says_so(tmp_path: Path) -> None:
-    find("openssl", package="openssl")
-    subprocess.run([ROOT / "backend/deploy/secrets.sh", tmp_path / "secrets"], check=True, capture_output=True)
+    make_secrets(tmp_path / "secrets")
     names = {name: f"RIDELAB_DASK_TLS_{name.upper()}_FILE" for name in ("ca", "cert", "key")}
     files = {variable: f"{tmp_path}/secrets/dask_{name}.pem" for name, variable in names.items()}
     scheduler = {"RIDELAB_DASK_SCHEDULER": "tls://scheduler:8786"}
