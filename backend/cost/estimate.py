@@ -252,11 +252,13 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, share: flo
 
 
 def _steps(scenario: Scenario, strategy: type[Controller]) -> StepSizes:
-    return step_sizes(scenario, strategy, speed_plan_on(strategy, scenario))
+    return step_sizes(scenario, strategy().for_scenario(scenario), speed_plan_on(strategy, scenario))
 
 
 def _fine_step(scenario: Scenario, strategy: type[Controller]) -> float:
-    return longest_fine_step(scenario, speed_plan_on(strategy, scenario), actuated=strategy.actuated)
+    semi_active = strategy().for_scenario(scenario).dampers() is not None
+    plan = speed_plan_on(strategy, scenario)
+    return longest_fine_step(scenario, plan, actuated=strategy.actuated, semi_active=semi_active)
 
 
 def _fields(scenario: Scenario, strategy: type[Controller]) -> tuple[str, ...]:

@@ -18,6 +18,7 @@ from sim_core.speed.profile import SPEED_CONTROL_PERIOD, SpeedPlan, SpeedProfile
 
 FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
 NONLINEAR = 1.5  # so many times as short is a nonlinear car's: it amplifies what a straight road leaves out
+SEMI_ACTIVE = 4.0  # and that of a car with semi-active dampers, whose forces peak within a millisecond
 SHORT_STEP = 1e-3  # longest step in which a delayed controller's commands may arrive [s]
 
 
@@ -90,21 +91,23 @@ class StepSizes:
     fine: int
 
 
-def step_sizes(scenario: Scenario, controller: type[Controller] | Controller, plan: SpeedPlan) -> StepSizes:
+def step_sizes(scenario: Scenario, controller: Controller, plan: SpeedPlan) -> StepSizes:
     """Return those of a controller's run at that speed plan."""
     control = scenario.mpc.sample_time if controller.actuated else SPEED_CONTROL_PERIOD
     short = ceil(control / SHORT_STEP - 1e-9) if controller.delayed else 1
-    longest = longest_fine_step(scenario, plan, actuated=controller.actuated)
+    semi_active = controller.dampers() is not None
+    longest = longest_fine_step(scenario, plan, actuated=controller.actuated, semi_active=semi_active)
     return StepSizes(control=control, short=short, fine=short * ceil(control / short / longest - 1e-9))
 
 
-def longest_fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool) -> float:
-    """Longest fine step [s]: 60 over the bump (or its two ramps), 0.1 rad of the wheels, a grid step of the road, 1 ms.
+def longest_fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool, semi_active: bool = False) -> float:
+    """Return the longest fine step [s].
 
-    Between the ends of a fine step the road is taken as straight, so its curvature and the sampling of peaks need it
-    short; tests/validation holds metrics against steps of 0.02 ms. The bump counts at the initial speed, the rough road
-    at the speed that is held for long, with lagging actuators at the initial speed too: without jumps of the force the
-    peaks lie where the road's slope changes.
+    60 over the bump (or its two ramps), 0.1 rad of the wheels, a grid step of the road, 1 ms; shorter for cars that are
+    not linear. Between the ends of a fine step the road is taken as straight, so its curvature and the sampling of
+    peaks need it short; tests/validation holds metrics against steps of 0.02 ms. The bump counts at the initial speed,
+    the rough road at the speed that is held for long, with lagging actuators at the initial speed too: without jumps of
+    the force the peaks lie where the road's slope changes.
     """
     vehicle, bump, speed = scenario.real_vehicle, scenario.road.bump, scenario.speed
     stop = 0.0 if vehicle.bump_stop_clearance is None else vehicle.bump_stop_stiffness
@@ -120,8 +123,9 @@ def longest_fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool) ->
     over_grid = COARSEST if scenario.road.is_smooth else GRID / held
     if min(min(each) for each in vehicle.stop_clearances) < 0:
         return FINEST  # it rests on a stop: each small motion meets the kink of its force
-    longest = min(COARSEST, max(FINEST, min(0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)))
-    return longest if vehicle.linear else longest / NONLINEAR
+    linear = min(COARSEST, 0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)
+    shorter = SEMI_ACTIVE if semi_active else 1.0 if vehicle.linear else NONLINEAR
+    return max(FINEST, linear / shorter)
 
 
 @cached

@@ -116,11 +116,11 @@ def test_forces_stay_within_the_limits_where_the_passive_damper_is_within_the_ra
     assert max(np.abs(series[f"{axle}_force"]).max() for axle in ("front", "rear")) <= most
 
 
-def constant_speed(hook: Hook, **parts: object) -> Scenario:
+def constant_speed(hook: Hook, kmh: float = 60, **parts: object) -> Scenario:
     return Scenario(
         hook=hook,
         road=Road(length=24, roughness=256e-6, bump=Bump(start=10)),
-        speed=Speed(policy="constant", initial_speed_kmh=60),
+        speed=Speed(policy="constant", initial_speed_kmh=kmh),
         **parts,  # type: ignore[arg-type]
     )
 
@@ -139,6 +139,7 @@ UNEQUAL = Vehicle(rebound_ratio=2.5, bump_stop_clearance=0.06)
             constant_speed(Hook(semi_active=True, skyhook_damping=10_000), vehicle=UNEQUAL, mpc=Mpc(force_limit=1500)),
             "skyhook",
         ),
+        (constant_speed(LIMITED, kmh=47), "skyhook"),  # the car is linear but for its dampers
     ],
 )
 def test_metrics_are_an_adaptive_solvers(scenario: Scenario, law: str) -> None:
