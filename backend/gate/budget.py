@@ -5,6 +5,8 @@ from contextlib import contextmanager
 
 from backend.errors import BusyError, TooManyRequestsError
 
+ROUNDING = 0.5  # sums of estimated sizes are not exact; what is held is a byte or a stream at least
+
 
 class Budget:
     """So much of one thing may be held at once, half of it by one client.
@@ -41,6 +43,6 @@ class Budget:
         try:
             yield
         finally:
-            left = self._held.pop(client) - amount
-            if left > 1e-9:  # else it is rounding
+            left = self._held.pop(client, 0.0) - amount
+            if left > ROUNDING:
                 self._held[client] = left

@@ -198,6 +198,17 @@ def test_of_a_sum_one_client_has_half() -> None:
     assert (budget.held, budget._held) == (0, {})
 
 
+@pytest.mark.parametrize("amounts", [(1.1e9 / 3, 7e8 / 9 * 1.37), (0.0, 0.0)])
+def test_what_several_requests_of_a_client_hold_is_given_back_to_the_last_byte(amounts: tuple[float, float]) -> None:
+    budget = Budget("room", 4e9)
+    first, second = (budget.hold("a", amount) for amount in amounts)
+    for step in (first.__enter__, second.__enter__):
+        step()
+    for each in (first, second):
+        each.__exit__(None, None, None)
+    assert (budget.held, budget._held) == (0, {})
+
+
 def test_links_are_limited_by_rate() -> None:
     now = 100.0
     rate = TokenBucket(what="links", burst=3, each_second=0.5, clock=lambda: now)
