@@ -17,8 +17,7 @@ from sim_core.scenario import Road, Scenario
 from sim_core.speed.profile import SPEED_CONTROL_PERIOD, SpeedPlan, SpeedProfile
 
 FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
-NONLINEAR = 1.5  # so many times as short is a nonlinear car's: it amplifies what a straight road leaves out
-SEMI_ACTIVE = 4.0  # and that of a car with semi-active dampers, whose forces peak within a millisecond
+NONLINEAR = 4.0  # so many times as short is a step of what is not linear: it amplifies what a straight road leaves out
 SHORT_STEP = 1e-3  # longest step in which a delayed controller's commands may arrive [s]
 
 
@@ -124,8 +123,7 @@ def longest_fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool, se
     if min(min(each) for each in vehicle.stop_clearances) < 0:
         return FINEST  # it rests on a stop: each small motion meets the kink of its force
     linear = min(COARSEST, 0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)
-    shorter = SEMI_ACTIVE if semi_active else 1.0 if vehicle.linear else NONLINEAR
-    return max(FINEST, linear / shorter)
+    return max(FINEST, linear if vehicle.linear and not semi_active else linear / NONLINEAR)
 
 
 @cached
