@@ -15,6 +15,7 @@ from backend.runs import exports, pins
 from backend.store import Store
 from sim_core import __version__
 from sim_core.scenario import SCHEMA_VERSION
+from tests.servers.batches import wait_for
 
 VIEW = {
     "strategies": ["passive", "lv"],
@@ -263,13 +264,14 @@ def test_a_run_stored_by_a_newer_version_is_refused_for_now(service: Any, fresh:
 
 @pytest.fixture
 def batch(client: httpx.Client, road: dict[str, Any]) -> Any:
-    """A small batch, however far it is."""
+    """A small batch that is done."""
     body = {
         "scenario": {"road": road},
         "strategies": ["passive"],
         "sweep": {"grid": {"road.bump.height": [0.01, 0.02]}},
     }
-    return client.post("/api/v1/batches", json=body, headers={"Idempotency-Key": "links"}).raise_for_status().json()
+    asked = client.post("/api/v1/batches", json=body, headers={"Idempotency-Key": "links"}).raise_for_status()
+    return wait_for(client, asked.json()["id"])
 
 
 def test_a_batch_can_be_shared(client: httpx.Client, batch: dict[str, Any]) -> None:
