@@ -1,4 +1,3 @@
-# syntax=docker/dockerfile:1
 # The dashboard, built with the lock file's packages.
 FROM node:24-slim AS frontend
 WORKDIR /build
@@ -19,8 +18,15 @@ COPY examples/ examples/
 RUN python -m zensical build --strict && rm -f build/manual/404.html build/manual/sitemap.xml \
     && python -m zipfile -c build/manual/examples.zip examples
 
-# The runtime's packages, each held to its hash.
-FROM python:3.11-slim AS packages
+# The proxy of docker-compose.yml with its configuration, which any umask of the checkout leaves readable.
+FROM haproxy:2.6-alpine AS proxy
+COPY backend/deploy/haproxy.cfg backend/deploy/haproxy-docker.cfg /etc/
+USER 0
+RUN chmod 444 /etc/haproxy.cfg /etc/haproxy-docker.cfg
+USER 99:99
+
+# The runtime's packages, each held to its hash, and the program.
+FROM python:3.11-slim AS program
 WORKDIR /build
 RUN python -m venv /opt/ridelab
 COPY requirements-cluster.lock requirements-ecu.lock ./
@@ -30,22 +36,27 @@ COPY sim_core/kernel/ sim_core/kernel/
 COPY sim_core/ecu/source/ sim_core/ecu/source/
 RUN /opt/ridelab/bin/python sim_core/kernel/build.py .
 
-FROM python:3.11-slim
-COPY --from=packages /opt/ridelab /opt/ridelab
+# Whatever umask the checkout has, everybody may read it.
 WORKDIR /app
 COPY sim_core/ sim_core/
-COPY --from=packages /build/libridelab*.so.1 sim_core/kernel/
+RUN cp /build/libridelab*.so.1 sim_core/kernel/
 COPY backend/ backend/
 COPY client/ridelab/ ridelab/
 COPY --from=frontend /build/dist frontend/dist/
 COPY --from=manual /build/build/manual build/manual/
-# Bytecode now: the file system is read-only later. /data belongs to the user, and so does a new volume mounted there.
-RUN /opt/ridelab/bin/python -m compileall -q sim_core backend ridelab \
-    && mkdir /data \
-    && chown 10001:10001 /data
+# Bytecode now: the file system is read-only later.
+RUN /opt/ridelab/bin/python -m compileall -q sim_core backend ridelab
 # The ECU's program as a process, which counts its operations: /app is read-only later, and /tmp runs no programs.
 RUN mkdir ecu && RIDELAB_ECU_DIR=/app/ecu /opt/ridelab/bin/python -c "from backend.ecu import build; build.program()" \
     && rm -rf ecu/zig
+RUN chmod -R a+rX .
+
+FROM python:3.11-slim
+COPY --from=program /opt/ridelab /opt/ridelab
+COPY --from=program /app /app
+WORKDIR /app
+# /data belongs to the user, and so does a new volume mounted there.
+RUN mkdir /data && chown 10001:10001 /data
 ENV PATH=/opt/ridelab/bin:$PATH PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 RIDELAB_DATA_DIR=/data RIDELAB_ECU_DIR=/app/ecu
 # As for a service on loopback, which `docker run -p 127.0.0.1:8000:8000` makes of this one; docker-compose.yml has its own.
 ENV RIDELAB_ALLOWED_HOSTS=localhost,*.localhost,127.0.0.1,::1

@@ -2,10 +2,13 @@
 # Makes what docker-compose.yml reads from secrets/: the database's password, Dask's certificate with the authority that
 # signed it, a certificate for the proxy that signed itself (put your own in its place: certificates and key in one PEM
 # file), and an empty list of tokens. What is there already stays; to change something delete it and run this again.
-# Needs openssl.
+# On a machine with one processor it also writes .env, as docker-compose.yml would ask for two. Needs openssl.
 set -eu
 folder=${1:-secrets}
 mkdir -p "$folder"
+if [ "$(getconf _NPROCESSORS_ONLN)" = 1 ] && [ ! -e "$folder/../.env" ]; then
+  printf '%s=1\n' API_CPUS DATABASE_CPUS API_WORKERS WORKER_CORES > "$folder/../.env"
+fi
 # Containers read the files as users of their own, so the files are open and the folder is not.
 chmod 700 "$folder"
 cd "$folder"
@@ -15,8 +18,14 @@ curve="-newkey ec -pkeyopt ec_paramgen_curve:prime256v1 -nodes"
 [ -e tokens ] || echo "# NAME TOKEN on each line; openssl rand -hex 24 makes a token" > tokens
 
 if [ ! -s proxy.pem ]; then
-  openssl req -x509 $curve -days 825 -subj "/CN=${RIDELAB_HOST:-localhost}" \
-    -addext "subjectAltName=DNS:${RIDELAB_HOST:-localhost},DNS:localhost,IP:127.0.0.1" -keyout key.tmp -out proxy.tmp
+  host=${RIDELAB_HOST:-localhost}
+  case $host in
+    *:*) kind=IP ;;  # of version 6
+    *[!0-9.]*) kind=DNS ;;
+    *) kind=IP ;;
+  esac
+  openssl req -x509 $curve -days 825 -subj "/CN=$host" \
+    -addext "subjectAltName=$kind:$host,DNS:localhost,IP:127.0.0.1" -keyout key.tmp -out proxy.tmp
   cat proxy.tmp key.tmp > proxy.pem
 fi
 
