@@ -9,7 +9,7 @@ from functools import cache, wraps
 from typing import ParamSpec, TypeVar
 
 _SET = "KMP_DUPLICATE_LIB_OK" in os.environ  # threadpoolctl sets it when it is imported, for its host too
-from threadpoolctl import ThreadpoolController  # noqa: E402
+from threadpoolctl import ThreadpoolController  # noqa: E402 - after it was looked at
 
 if not _SET:
     os.environ.pop("KMP_DUPLICATE_LIB_OK", None)
