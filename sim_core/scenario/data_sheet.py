@@ -5,7 +5,7 @@ from typing import Annotated, Self
 
 from pydantic import ValidationError, model_validator
 
-from sim_core.scenario.fields import Part, at, field, quantity
+from sim_core.scenario.fields import Part, at, field_texts, quantity
 from sim_core.scenario.vehicle import CgHeight, TyreStiffness, Vehicle
 from sim_core.scenario.vehicles import one_track
 
@@ -18,29 +18,19 @@ DampingRatio = Annotated[float, quantity("1", soft=(0.1, 0.6), ge=0.001, le=5)]
 class DataSheet(Part):
     """A whole car: what its axles weigh, how fast they swing and how well that is damped."""
 
-    front_axle_load: AxleLoad = field(..., "Front axle load", "What both front wheels carry, wheels included.")
-    rear_axle_load: AxleLoad = field(..., "Rear axle load", "What both rear wheels carry, wheels included.")
-    front_axle_mass: AxleMass = field(..., "Front unsprung mass", "Both front wheels with what moves with them.")
-    rear_axle_mass: AxleMass = field(..., "Rear unsprung mass", "Both rear wheels with what moves with them.")
-    wheelbase: Annotated[float, quantity("m", soft=(2, 4), ge=0.4, le=20)] = field(
-        ..., "Wheelbase", "Between the axles."
-    )
-    cg_height: CgHeight = field(0.55, "Height of the centre of gravity", "Of the body above the road.")
-    front_frequency: Frequency = field(
-        ..., "Front natural frequency", "Of the body above the front axle, undamped, on suspension and tyres."
-    )
-    rear_frequency: Frequency = field(
-        ..., "Rear natural frequency", "Of the body above the rear axle, undamped, on suspension and tyres."
-    )
-    front_damping_ratio: DampingRatio = field(..., "Front damping ratio", "Of that motion, over critical.")
-    rear_damping_ratio: DampingRatio = field(..., "Rear damping ratio", "Of that motion, over critical.")
-    front_tyre_stiffness: TyreStiffness = field(..., "Front tyre stiffness", "Vertical stiffness of one tyre.")
-    rear_tyre_stiffness: TyreStiffness = field(..., "Rear tyre stiffness", "Vertical stiffness of one tyre.")
-    pitch_inertia: Annotated[float | None, quantity("kg·m^2", soft=(500, 5000), ge=20, le=1_000_000)] = field(
-        None,
-        "Pitch inertia",
-        "Of the whole body; none makes the dynamic index 1, mass times both distances of the centre of gravity.",
-    )
+    front_axle_load: AxleLoad
+    rear_axle_load: AxleLoad
+    front_axle_mass: AxleMass
+    rear_axle_mass: AxleMass
+    wheelbase: Annotated[float, quantity("m", soft=(2, 4), ge=0.4, le=20)]
+    cg_height: CgHeight = 0.55
+    front_frequency: Frequency
+    rear_frequency: Frequency
+    front_damping_ratio: DampingRatio
+    rear_damping_ratio: DampingRatio
+    front_tyre_stiffness: TyreStiffness
+    rear_tyre_stiffness: TyreStiffness
+    pitch_inertia: Annotated[float | None, quantity("kg·m^2", soft=(500, 5000), ge=20, le=1_000_000)] = None
 
     @model_validator(mode="after")
     def _possible(self) -> Self:
@@ -55,7 +45,8 @@ class DataSheet(Part):
         except ValidationError as error:
             wrong = error.errors(include_input=False, include_url=False)[0]
             name = str(wrong["loc"][0])
-            message = f"The half-car's {Vehicle.model_fields[name].title} would be beyond its limits: {wrong['msg']}"
+            title = field_texts(Vehicle, name)["title"]
+            message = f"The half-car's {title} would be beyond its limits: {wrong['msg']}"
             raise at(_DECIDES.get(name, name), message) from None
         return self
 

@@ -16,7 +16,7 @@ from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
 
 from sim_core.errors import RefusedError, UnknownNameError
 from sim_core.scenario import Scenario
-from sim_core.scenario.fields import Weight
+from sim_core.scenario.fields import Weight, field_texts
 
 Kind = Literal["number", "integer", "switch", "choice", "text", "weights", "data"]
 OWN = "own."
@@ -181,7 +181,7 @@ def _walk(model: type[BaseModel], prefix: str) -> Iterator[DottedField]:
             yield from _walk(annotation, f"{name}.")
             continue
         extra = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
-        unit, title = str(extra.get("unit", "1")), str(info.title or key)
+        unit, title = str(extra.get("unit", "1")), field_texts(model, key)["title"]
         annotated: Any = Annotated[annotation, info]
         adapter: TypeAdapter[Any] = TypeAdapter(annotated, config=STRICT)
         kind = kind_of(annotation)

@@ -1,13 +1,17 @@
-"""Kinds of scenario fields: a number with its unit, a whole number, three weights; each knows its limits and range."""
+"""What the scenario's fields are made of: a number with its unit, limits and range; three weights; the base of parts.
 
+Titles, descriptions and search words of all fields are in fields.toml.
+"""
+
+import tomllib
+from collections.abc import Mapping
 from functools import cache
+from pathlib import Path
 from typing import Annotated, Any
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, JsonValue
 from pydantic.config import JsonDict
 from pydantic_core import PydanticCustomError
-
-from sim_core.scenario.search_words import search_terms, search_words
 
 
 def quantity(unit: str, *, soft: tuple[float, float], ge: float, le: float, shown: str | None = None) -> Any:
@@ -21,26 +25,41 @@ def quantity(unit: str, *, soft: tuple[float, float], ge: float, le: float, show
     return Field(ge=ge, le=le, json_schema_extra=extra)
 
 
-def field(default: Any, title: str, description: str, *, note: str | None = None) -> Any:
-    """Return a field of a part; `...` has no default.
-
-    `note` stands beside the title in forms, where a value may be misunderstood without it.
-    """
-    extra: JsonDict = {} if note is None else {"note": note}
-    return Field(default, title=title, description=description, json_schema_extra=extra)
-
-
 # In a field's type: it is younger than stored results, and at its default no part of what a result is known by.
 ADDED = "added"
 
 
-def _with_search_words(schema: JsonDict, part: type[BaseModel]) -> None:
-    """Add to each field's JSON Schema what people may look for it by."""
-    words, properties = search_words().get(part.__name__, {}), schema.get("properties")
+@cache
+def _texts() -> dict[str, dict[str, dict[str, str]]]:
+    """Return what fields.toml says, by part and field; read when somebody asks, which few runs do."""
+    return tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+
+
+def field_texts(part: type[BaseModel], name: str) -> Mapping[str, str]:
+    """Return the `title` and, where there are any, `description`, `note` and `search_words` of a part's field.
+
+    Args:
+        part: The part's class.
+        name: The field's name in JSON.
+    """
+    return _texts().get(part.__name__, {}).get(name, {})
+
+
+def _with_texts(schema: JsonDict, part: type[BaseModel]) -> None:
+    """Add to each field's JSON Schema its texts, the search words one by one; a part's example is none of it."""
+    schema["description"] = str(schema.get("description", "")).partition("\n\nExample:")[0]
+    properties = schema.get("properties")
     for name, each in properties.items() if isinstance(properties, dict) else ():
-        found = [term for key in ("*", name) if key in words for term in search_terms(words[key])]
-        if found and isinstance(each, dict):
-            each["search_words"] = list[JsonValue](found)
+        if isinstance(each, dict):
+            texts = field_texts(part, name)
+            each.update({key: texts[key] for key in ("title", "description", "note") if key in texts})
+            if words := [*_words(part, "*"), *_words(part, name)]:
+                each["search_words"] = list[JsonValue](words)
+
+
+def _words(part: type[BaseModel], name: str) -> list[str]:
+    single, *phrases = field_texts(part, name).get("search_words", "").split(",")
+    return [*single.split(), *map(str.strip, phrases)]
 
 
 class Part(BaseModel):
@@ -54,7 +73,7 @@ class Part(BaseModel):
         validate_default=True,
         hide_input_in_errors=True,
         serialize_by_alias=True,
-        json_schema_extra=_with_search_words,
+        json_schema_extra=_with_texts,
     )
 
     def identity(self) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from typing import Annotated, Literal, Self
 from pydantic import AfterValidator, Field, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
-from sim_core.scenario.fields import Part, at, field
+from sim_core.scenario.fields import Part, at
 
 SET_NAMES = ("O", "S", "M", "L", "V")  # Table 1's: very low, medium-low, medium, medium-high, very high
 SPEED_ERROR_MAX = 30.0  # universe [0, 30] km/h
@@ -40,11 +40,9 @@ _TAKES: dict[Function, tuple[str, int, Callable[..., bool]]] = {
 class FuzzySet(Part):
     """A set by its membership function: one of scikit-fuzzy's by name, and its arguments in their order there."""
 
-    name: Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,30}$")] = Field(title="Name")
-    function: Function = Field(title="Membership function")
-    corners: Annotated[tuple[Annotated[float, Field(ge=-10_000, le=10_000)], ...], Field(strict=False)] = Field(
-        title="Corners", description="In km/h, m, or as a share of the greatest torque; of a Gaussian mean and width."
-    )
+    name: Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,30}$")]
+    function: Function
+    corners: Annotated[tuple[Annotated[float, Field(ge=-10_000, le=10_000)], ...], Field(strict=False)]
 
     @field_validator("corners", mode="after")
     @classmethod
@@ -85,15 +83,15 @@ _Sets = Annotated[
 class FuzzyInputs(Part):
     """The sets of both inputs."""
 
-    speed_error: _Sets = Field(title="Speed error", description="Above the target, 0 to 30 km/h.")
-    distance: _Sets = Field(title="Distance", description="To the bump, 0 to 80 m.")
+    speed_error: _Sets
+    distance: _Sets
 
 
 class Condition(Part):
     """What a rule asks for: a set of one input, or of both."""
 
-    speed_error: str | None = Field(default=None, title="Speed error")
-    distance: str | None = Field(default=None, title="Distance")
+    speed_error: str | None = None
+    distance: str | None = None
 
     @model_validator(mode="after")
     def _asks_for_something(self) -> Self:
@@ -105,8 +103,8 @@ class Condition(Part):
 class FuzzyRule(Part):
     """One rule, which holds as far as the less true of what it asks for."""
 
-    condition: Condition = Field(alias="if", title="If")
-    then: str = Field(title="Then", description="The set of the torque.")
+    condition: Condition = Field(alias="if")
+    then: str
 
 
 def _table_1() -> Iterator[FuzzyRule]:
@@ -138,24 +136,9 @@ _Rules = Annotated[
 class Fuzzy(Part):
     """The fuzzy speed controller (section 3.1): Mamdani's minimum and maximum, centroid; by default the paper's."""
 
-    inputs: FuzzyInputs | None = field(
-        None,
-        "Input sets",
-        'Lists `speed_error` [km/h, 0 to 30] and `distance` [m, 0 to 80] of sets {"name", "function", '
-        '"corners"}: a membership function of scikit-fuzzy (`trimf`, `trapmf`, `gaussmf`, `gauss2mf`, `gbellmf`, '
-        "`sigmf`, `smf`, `zmf`, `pimf`) and its arguments; none is five even triangles O, S, M, L, V.",
-    )
-    output: _Sets | None = field(
-        None,
-        "Torque sets",
-        "Sets of the braking torque, as shares 0 to 1 of the greatest; none is five even triangles.",
-    )
-    rules: _Rules | None = field(
-        None,
-        "Rules",
-        'A list of {"if": {"speed_error": set, "distance": set}, "then": set}, of which the first names '
-        "one input or both; where no rule holds nothing brakes. None is Table 1.",
-    )
+    inputs: FuzzyInputs | None = None
+    output: _Sets | None = None
+    rules: _Rules | None = None
 
     @property
     def speed_errors(self) -> tuple[FuzzySet, ...]:

@@ -4,7 +4,7 @@ from math import copysign
 from typing import Annotated, Literal
 
 from sim_core.scenario.damper import scaled
-from sim_core.scenario.fields import ADDED, Part, field, quantity
+from sim_core.scenario.fields import ADDED, Part, quantity
 from sim_core.scenario.road import Seed
 from sim_core.scenario.vehicle import Vehicle
 
@@ -15,18 +15,9 @@ HeightNoise = Annotated[float, quantity("m", soft=(0, 0.005), ge=0, le=0.1, show
 class Actuator(Part):
     """Suspension actuators; ideal by default, as in the paper."""
 
-    bandwidth: Annotated[float | None, quantity("Hz", soft=(2, 50), ge=0.5, le=1000)] = field(
-        None, "Bandwidth", "First-order lag between command and force, typically 10 Hz; none is ideal."
-    )
-    rate_limit: Annotated[float | None, quantity("N/s", soft=(10_000, 500_000), ge=1000, le=1e8)] = field(
-        None, "Force rate limit", "Greatest change of the commanded force; none is unlimited."
-    )
-    saturation: Annotated[float | None, quantity("N", soft=(500, 10_000), ge=1, le=1_000_000)] = field(
-        None,
-        "Saturation",
-        "Greatest force the actuator gives; no controller plans with it, each is told the force accepted last. "
-        "None: the force limit.",
-    )
+    bandwidth: Annotated[float | None, quantity("Hz", soft=(2, 50), ge=0.5, le=1000)] = None
+    rate_limit: Annotated[float | None, quantity("N/s", soft=(10_000, 500_000), ge=1000, le=1e8)] = None
+    saturation: Annotated[float | None, quantity("N", soft=(500, 10_000), ge=1, le=1_000_000)] = None
 
 
 class Mismatch(Part):
@@ -35,34 +26,16 @@ class Mismatch(Part):
     The controllers, and the speed plan, go by `vehicle`; the car that is driven has these factors on top.
     """
 
-    body_mass: Annotated[float, quantity("1", soft=(0.7, 1.4), ge=0.3, le=3)] = field(
-        1, "Body mass and pitch inertia", "Real over believed, both alike: the load."
-    )
-    springs: StiffnessFactor = field(1, "Spring stiffness", "Real over believed, both axles.")
-    damping: Annotated[float, quantity("1", soft=(0.5, 1.5), ge=0.05, le=5)] = field(
-        1, "Damping", "Real over believed, both axles."
-    )
-    tyres: StiffnessFactor = field(1, "Tyre stiffness", "Real over believed, both axles.")
-    rebound_ratio: Annotated[float, quantity("1", soft=(1, 3), ge=0.1, le=10), ADDED] = field(
-        1, "Rebound over compression", "Real over believed ratio, both dampers, at the same mean."
-    )
-    preview_offset: Annotated[float, quantity("m", soft=(-0.5, 0.5), ge=-10, le=10)] = field(
-        0, "Preview offset", "The sensors place the road ahead so much too far away (lookahead, obstacle)."
-    )
-    preview_gain: Annotated[float, quantity("1", soft=(0.7, 1.3), ge=0, le=3)] = field(
-        1, "Preview gain", "Height seen over the true one (lookahead, obstacle)."
-    )
-    preview_noise: HeightNoise = field(
-        0,
-        "Preview noise",
-        "Standard deviation of each height the sensors give, one each 10 mm of the road (lookahead).",
-    )
-    preview_resolution: Annotated[float, quantity("m", soft=(0, 0.3), ge=0, le=2), ADDED] = field(
-        0, "Preview resolution", "Length of road over which the sensors average each height (lookahead, obstacle)."
-    )
-    preview_delay: Annotated[float, quantity("s", soft=(0, 0.05), ge=0, le=1)] = field(
-        0, "Preview delay", "Delay of what the sensors see (lookahead, obstacle)."
-    )
+    body_mass: Annotated[float, quantity("1", soft=(0.7, 1.4), ge=0.3, le=3)] = 1
+    springs: StiffnessFactor = 1
+    damping: Annotated[float, quantity("1", soft=(0.5, 1.5), ge=0.05, le=5)] = 1
+    tyres: StiffnessFactor = 1
+    rebound_ratio: Annotated[float, quantity("1", soft=(1, 3), ge=0.1, le=10), ADDED] = 1
+    preview_offset: Annotated[float, quantity("m", soft=(-0.5, 0.5), ge=-10, le=10)] = 0
+    preview_gain: Annotated[float, quantity("1", soft=(0.7, 1.3), ge=0, le=3)] = 1
+    preview_noise: HeightNoise = 0
+    preview_resolution: Annotated[float, quantity("m", soft=(0, 0.3), ge=0, le=2), ADDED] = 0
+    preview_delay: Annotated[float, quantity("s", soft=(0, 0.05), ge=0, le=1)] = 0
 
     def real(self, vehicle: Vehicle) -> Vehicle:
         """Return the car that is driven: the one that controllers believe in, with these errors."""
@@ -109,59 +82,20 @@ def _lowered(believed: Vehicle, real: Vehicle) -> tuple[float, float]:
 class Estimation(Part):
     """What controllers are told of the car's state: the state itself, or what a Kalman filter makes of sensors."""
 
-    kind: Annotated[Literal["exact", "kalman"], ADDED] = field(
-        "exact",
-        "State",
-        "exact as in the paper; kalman: a steady-state filter on both deflections, the body's acceleration "
-        "and the pitch rate, measured at each control instant.",
-    )
-    knows_preview: bool = field(
-        True,
-        "Filter knows the preview",
-        "The filter is told what its strategy previews of the road, with the errors that the sensors have; "
-        "the rest of the roughness is noise to it, as all of it is where nothing is previewed (kalman).",
-    )
-    acceleration_noise: Annotated[float, quantity("m/s^2", soft=(0.01, 0.5), ge=1e-4, le=10), ADDED] = field(
-        0.05,
-        "Acceleration noise",
-        "Standard deviation of each measured acceleration of the body, and what the filter expects (kalman; ours).",
-    )
-    deflection_noise: Annotated[float, quantity("m", soft=(0.0001, 0.005), ge=1e-6, le=0.1, shown="mm"), ADDED] = field(
-        0.0005,
-        "Deflection noise",
-        "Standard deviation of each measured deflection, and what the filter expects (kalman; ours).",
-    )
-    pitch_rate_noise: Annotated[float, quantity("rad/s", soft=(0.0005, 0.02), ge=1e-6, le=1), ADDED] = field(
-        0.002,
-        "Pitch rate noise",
-        "Standard deviation of each measured pitch rate, and what the filter expects (kalman; ours).",
-    )
+    kind: Annotated[Literal["exact", "kalman"], ADDED] = "exact"
+    knows_preview: bool = True
+    acceleration_noise: Annotated[float, quantity("m/s^2", soft=(0.01, 0.5), ge=1e-4, le=10), ADDED] = 0.05
+    deflection_noise: Annotated[float, quantity("m", soft=(0.0001, 0.005), ge=1e-6, le=0.1, shown="mm"), ADDED] = 0.0005
+    pitch_rate_noise: Annotated[float, quantity("rad/s", soft=(0.0005, 0.02), ge=1e-6, le=1), ADDED] = 0.002
 
 
 class Hil(Part):
     """Hardware in the loop: the controller apart from the plant, as `lv_hil` drives it (section 4.2)."""
 
-    bits: Annotated[int, quantity("1", soft=(8, 16), ge=4, le=24)] = field(
-        12, "Converter bits", "Resolution of every sensor and of the actuator commands."
-    )
-    compensation: Literal["predict", "none"] = field(
-        "predict",
-        "Delay compensation",
-        "A command takes effect one control step after its measurement: predict (ours) lets the ECU predict "
-        "the state at that moment, none lets it act on the measured one.",
-    )
-    iterations: Annotated[int, quantity("1", soft=(1, 60), ge=0, le=200)] = field(
-        30, "Iterations", "The ECU's solver stops after so many, whatever it has."
-    )
-    noise: Annotated[float, quantity("1", soft=(0, 0.005), ge=0, le=0.2)] = field(
-        0, "Sensor noise", "Standard deviation as a share of each input's range, before the converter."
-    )
-    jitter: Annotated[float, quantity("s", soft=(0, 0.01), ge=0, le=0.05)] = field(
-        0,
-        "Jitter",
-        "A command takes effect up to so much later still, evenly spread, in steps of 1 ms or a little less.",
-    )
-    packet_loss: Annotated[float, quantity("1", soft=(0, 0.2), ge=0, le=0.9)] = field(
-        0, "Lost packets", "Share of the commands that never arrive; the actuators hold the last one."
-    )
-    seed: Seed = field(1, "Seed", "Of noise, jitter and losses.")
+    bits: Annotated[int, quantity("1", soft=(8, 16), ge=4, le=24)] = 12
+    compensation: Literal["predict", "none"] = "predict"
+    iterations: Annotated[int, quantity("1", soft=(1, 60), ge=0, le=200)] = 30
+    noise: Annotated[float, quantity("1", soft=(0, 0.005), ge=0, le=0.2)] = 0
+    jitter: Annotated[float, quantity("s", soft=(0, 0.01), ge=0, le=0.05)] = 0
+    packet_loss: Annotated[float, quantity("1", soft=(0, 0.2), ge=0, le=0.9)] = 0
+    seed: Seed = 1

@@ -8,11 +8,10 @@ and section 3) unless the description says "ours"; docs/explanation/model.md giv
 from collections.abc import Iterable
 from typing import Annotated, Literal, Self
 
-from pydantic import ConfigDict, Field, PrivateAttr, model_validator
-from pydantic.config import JsonDict
+from pydantic import PrivateAttr, model_validator
 
 from sim_core.errors import RefusedError
-from sim_core.scenario.fields import ADDED, Part, Weights, at, field, quantity
+from sim_core.scenario.fields import ADDED, Part, Weights, at, quantity
 from sim_core.scenario.fuzzy import Fuzzy
 from sim_core.scenario.imperfections import Actuator, Estimation, HeightNoise, Hil, Mismatch
 from sim_core.scenario.measured import MeasuredRoad
@@ -33,30 +32,11 @@ HookDamping = Annotated[float, quantity("N·s/m", soft=(0, 10_000), ge=0, le=500
 class Speed(Part):
     """Speeds and when braking begins (section 3.1)."""
 
-    initial_speed_kmh: Annotated[float, quantity("km/h", soft=(20, 90), ge=5, le=200)] = field(
-        50, "Initial speed", "Held until the bump is detected."
-    )
-    target_speed_kmh: Annotated[float, quantity("km/h", soft=(10, 50), ge=5, le=200)] = field(
-        22.5, "Target speed", "Aimed at for the bump; the paper's 20 to 25 km/h."
-    )
-    detection_distance: Annotated[float, quantity("m", soft=(20, 100), ge=1, le=1000)] = field(
-        80,
-        "Detection distance",
-        "How far ahead of the front axle sensors see: braking for the bump begins there, and lookahead and obstacle "
-        "preview know no road beyond.",
-    )
-    controller: Literal["guarded", "fuzzy"] = field(
-        "guarded",
-        "Speed controller",
-        "fuzzy is Table 1 alone; guarded (ours) brakes at least as hard as the distance left needs, which "
-        "changes nothing on the paper's scenario.",
-    )
-    policy: Annotated[Literal["by_strategy", "planned", "constant"], ADDED] = field(
-        "by_strategy",
-        "Speed over the bump",
-        "by_strategy: those that have a speed control slow down, as in the paper. At equal speed what is left of a "
-        "gain is the suspension's: planned slows all of them down for the bump, constant none.",
-    )
+    initial_speed_kmh: Annotated[float, quantity("km/h", soft=(20, 90), ge=5, le=200)] = 50
+    target_speed_kmh: Annotated[float, quantity("km/h", soft=(10, 50), ge=5, le=200)] = 22.5
+    detection_distance: Annotated[float, quantity("m", soft=(20, 100), ge=1, le=1000)] = 80
+    controller: Literal["guarded", "fuzzy"] = "guarded"
+    policy: Annotated[Literal["by_strategy", "planned", "constant"], ADDED] = "by_strategy"
 
     @property
     def initial(self) -> float:
@@ -72,44 +52,24 @@ class Speed(Part):
 class Brake(Part):
     """Brake chain and driving resistances (Eq. 4-6); the paper gives no values: typical ones, ours."""
 
-    friction_coefficient: Annotated[float, quantity("1", soft=(0.2, 0.6), ge=0.05, le=1)] = field(
-        0.38, "Pad friction", "Coefficient µ; brake factor k = 2 µ."
-    )
-    effective_radius: Annotated[float, quantity("m", soft=(0.08, 0.2), ge=0.02, le=1)] = field(
-        0.13, "Effective disc radius", "Friction radius r_b."
-    )
-    piston_area: Annotated[float, quantity("m^2", soft=(0.001, 0.006), ge=1e-4, le=0.1)] = field(
-        0.0025, "Piston area", "Contact area A of one brake."
-    )
-    brakes: Annotated[int, quantity("1", soft=(1, 4), ge=1, le=8)] = field(
-        2, "Brakes", "How many share the torque; one per axle of the half-car."
-    )
-    threshold_speed: Annotated[float, quantity("m/s", soft=(0.01, 0.5), ge=0.001, le=5)] = field(
-        0.1, "Threshold speed", "Sliding speed v_d of the smoothed friction."
-    )
-    pressure_lag: Annotated[float, quantity("s", soft=(0, 0.4), ge=0, le=2)] = field(
-        0.1, "Pressure lag", "Time constant of the line pressure."
-    )
-    wheel_radius: Annotated[float, quantity("m", soft=(0.25, 0.4), ge=0.1, le=2)] = field(
-        0.3, "Wheel radius", "Rolling radius."
-    )
-    maximum_deceleration: Annotated[float, quantity("m/s^2", soft=(1, 8), ge=0.2, le=10)] = field(
-        4, "Greatest deceleration", "Top of the fuzzy controller's torque universe."
-    )
-    rolling_resistance: Annotated[float, quantity("1", soft=(0, 0.03), ge=0, le=0.2)] = field(
-        0.012, "Rolling resistance", "Coefficient f_r."
-    )
-    drag_area: Annotated[float, quantity("m^2", soft=(0, 1.5), ge=0, le=20)] = field(
-        0.65, "Drag area", "Air drag coefficient times frontal area, c_d A."
-    )
+    friction_coefficient: Annotated[float, quantity("1", soft=(0.2, 0.6), ge=0.05, le=1)] = 0.38
+    effective_radius: Annotated[float, quantity("m", soft=(0.08, 0.2), ge=0.02, le=1)] = 0.13
+    piston_area: Annotated[float, quantity("m^2", soft=(0.001, 0.006), ge=1e-4, le=0.1)] = 0.0025
+    brakes: Annotated[int, quantity("1", soft=(1, 4), ge=1, le=8)] = 2
+    threshold_speed: Annotated[float, quantity("m/s", soft=(0.01, 0.5), ge=0.001, le=5)] = 0.1
+    pressure_lag: Annotated[float, quantity("s", soft=(0, 0.4), ge=0, le=2)] = 0.1
+    wheel_radius: Annotated[float, quantity("m", soft=(0.25, 0.4), ge=0.1, le=2)] = 0.3
+    maximum_deceleration: Annotated[float, quantity("m/s^2", soft=(1, 8), ge=0.2, le=10)] = 4
+    rolling_resistance: Annotated[float, quantity("1", soft=(0, 0.03), ge=0, le=0.2)] = 0.012
+    drag_area: Annotated[float, quantity("m^2", soft=(0, 1.5), ge=0, le=20)] = 0.65
 
 
 class StageWeights(Part):
     """LV control's weights per driving stage (Table 6)."""
 
-    cruise: Weights = field((8, 1, 1), "Cruise", "Uniform speed: comfort first.")
-    brake: Weights = field((2, 6, 1), "Brake", "Braking: pitch first.")
-    bump: Weights = field((1, 1, 6), "Bump", "On the bump: tyre load first.")
+    cruise: Weights = (8, 1, 1)
+    brake: Weights = (2, 6, 1)
+    bump: Weights = (1, 1, 6)
 
     def of(self, stage: str) -> Weights:
         """Return those of a driving stage."""
@@ -120,8 +80,8 @@ class StageWeights(Part):
 class RoadWeights(Part):
     """Single suspension control's weights per road (Table 3)."""
 
-    rough: Weights = field((8, 1, 1), "Rough road", "Class B pavement.")
-    bump: Weights = field((3, 1, 6), "Bump", "Bumpy pavement.")
+    rough: Weights = (8, 1, 1)
+    bump: Weights = (3, 1, 6)
 
 
 Preview = Literal["none", "wheelbase", "lookahead", "obstacle"]
@@ -130,94 +90,43 @@ Preview = Literal["none", "wheelbase", "lookahead", "obstacle"]
 class Mpc(Part):
     """Model predictive suspension control (Eq. 8-15, section 3.2.2)."""
 
-    sample_time: Annotated[float, quantity("s", soft=(0.005, 0.02), ge=0.002, le=0.05)] = field(
-        0.01, "Sample time", "Control interval Ts (ours)."
-    )
-    prediction_horizon: Horizon = field(30, "Prediction horizon", "Np, in steps.")
-    control_horizon: Annotated[int, quantity("1", soft=(1, 40), ge=1, le=100)] = field(
-        20, "Control horizon", "Nc, moves; at most Np."
-    )
-    preview: Preview = field(
-        "lookahead",
-        "Preview",
-        "What is known of the road ahead: nothing, what the front axle has passed (wheelbase), what the "
-        "sensors see (lookahead), or the bump alone (obstacle).",
-    )
-    expected_offset: Annotated[float, quantity("m", soft=(0, 0.5), ge=0, le=10), ADDED] = field(
-        0,
-        "Expected preview offset",
-        "Standard deviation of the offset that the controllers, LQR too, expect of the sensors: the more, the less "
-        "of the roughness seen they trust (lookahead).",
-    )
-    expected_noise: Annotated[HeightNoise, ADDED] = field(
-        0,
-        "Expected preview noise",
-        "Standard deviation of the noise that the controllers, LQR too, expect of each height (lookahead).",
-    )
-    deflection_limit: Annotated[float, quantity("m", soft=(0.03, 0.15), ge=0.005, le=1, shown="mm")] = field(
-        0.08, "Travel limit", "Suspension deflection limit, soft (ours)."
-    )
-    force_limit: Annotated[float, quantity("N", soft=(500, 10_000), ge=1, le=1_000_000)] = field(
-        5000, "Force limit", "Actuator limit, hard (ours); LQR has it too."
-    )
-    deflection_weight: TravelWeight = field(3, "Travel weight", "q4 (ours); 0 as in Eq. 16, which has none.")
-    force_weight: Annotated[float, quantity("1/N^2", soft=(1e-10, 1e-7), ge=1e-12, le=1e-3)] = field(
-        1e-9, "Force weight", "R, keeps the cost strictly convex (ours)."
-    )
-    force_change_weight: Annotated[float, quantity("1/N^2", soft=(0, 1e-8), ge=0, le=1e-3)] = field(
-        1e-10, "Force change weight", "On the moves of the force (ours)."
-    )
-    solver: Literal["daqp", "osqp"] = field(
-        "daqp",
-        "QP solver",
-        "Where a limit binds: a dual active-set method as DAQP's, or OSQP; the other is the fallback until both fail.",
-    )
-    stage_weights: StageWeights = Field(default=StageWeights(), title="LV weights per driving stage")
-    road_weights: RoadWeights = Field(default=RoadWeights(), title="Single suspension control's weights per road")
+    sample_time: Annotated[float, quantity("s", soft=(0.005, 0.02), ge=0.002, le=0.05)] = 0.01
+    prediction_horizon: Horizon = 30
+    control_horizon: Annotated[int, quantity("1", soft=(1, 40), ge=1, le=100)] = 20
+    preview: Preview = "lookahead"
+    expected_offset: Annotated[float, quantity("m", soft=(0, 0.5), ge=0, le=10), ADDED] = 0
+    expected_noise: Annotated[HeightNoise, ADDED] = 0
+    deflection_limit: Annotated[float, quantity("m", soft=(0.03, 0.15), ge=0.005, le=1, shown="mm")] = 0.08
+    force_limit: Annotated[float, quantity("N", soft=(500, 10_000), ge=1, le=1_000_000)] = 5000
+    deflection_weight: TravelWeight = 3
+    force_weight: Annotated[float, quantity("1/N^2", soft=(1e-10, 1e-7), ge=1e-12, le=1e-3)] = 1e-9
+    force_change_weight: Annotated[float, quantity("1/N^2", soft=(0, 1e-8), ge=0, le=1e-3)] = 1e-10
+    solver: Literal["daqp", "osqp"] = "daqp"
+    stage_weights: StageWeights = StageWeights()
+    road_weights: RoadWeights = RoadWeights()
 
 
 class Lqr(Part):
     """Linear quadratic regulator (section 4.2.2: equal weights)."""
 
-    weights: Weights = field((1, 1, 1), "Weights", "Equal, as in the paper.")
-    deflection_weight: TravelWeight = field(3, "Travel weight", "q4 (ours); 0 as in Eq. 16, which has none.")
-    preview: Preview = field(
-        "none", "Preview", "As the MPC's, by a feedforward that is optimal without limits; none is the paper's LQR."
-    )
-    preview_horizon: Horizon = field(30, "Preview horizon", "In steps; nothing is known beyond.")
+    weights: Weights = (1, 1, 1)
+    deflection_weight: TravelWeight = 3
+    preview: Preview = "none"
+    preview_horizon: Horizon = 30
 
 
 class Hook(Part):
     """Skyhook, groundhook and hybrid: dampers against sky and ground, beside the car's own."""
 
-    skyhook_damping: Annotated[HookDamping, ADDED] = field(
-        4000, "Skyhook damping", "Of the body over each axle (ours)."
-    )
-    groundhook_damping: Annotated[HookDamping, ADDED] = field(2000, "Groundhook damping", "Of each wheel (ours).")
-    alpha: Annotated[float, quantity("1", soft=(0, 1), ge=0, le=1), ADDED] = field(
-        0.5, "Share of skyhook", "Of hybrid; the rest is groundhook (ours)."
-    )
-    semi_active: Annotated[bool, ADDED] = field(
-        False,
-        "Semi-active",
-        "Damper and control are one controlled damper, which only takes energy out: where the law asks for "
-        "a force that it cannot give, it gives the nearest that it can.",
-    )
-    min_damping: Annotated[float, quantity("N·s/m", soft=(0, 2000), ge=0, le=500_000), ADDED] = field(
-        0, "Least damping", "Softest setting of a semi-active damper as a whole, the passive one included."
-    )
-    max_damping: Annotated[float | None, quantity("N·s/m", soft=(5000, 20_000), ge=10, le=500_000), ADDED] = field(
-        None,
-        "Greatest damping",
-        "Hardest setting of a semi-active damper as a whole, the passive one included; none is no limit.",
-    )
+    skyhook_damping: Annotated[HookDamping, ADDED] = 4000
+    groundhook_damping: Annotated[HookDamping, ADDED] = 2000
+    alpha: Annotated[float, quantity("1", soft=(0, 1), ge=0, le=1), ADDED] = 0.5
+    semi_active: Annotated[bool, ADDED] = False
+    min_damping: Annotated[float, quantity("N·s/m", soft=(0, 2000), ge=0, le=500_000), ADDED] = 0
+    max_damping: Annotated[float | None, quantity("N·s/m", soft=(5000, 20_000), ge=10, le=500_000), ADDED] = None
 
 
 _BUMP_BEYOND = "The bump must end before the road does: position and width together at most the road's length"
-
-
-def _without_example(schema: JsonDict) -> None:
-    schema["description"] = str(schema["description"]).partition("\n")[0]
 
 
 class Scenario(Part):
@@ -230,21 +139,19 @@ class Scenario(Part):
         (0.000256, 0.12, 4.0)
     """
 
-    model_config = ConfigDict(json_schema_extra=_without_example)
-
-    vehicle: Vehicle = Field(default=Vehicle(), title="Vehicle")
-    road: Road = Field(default=Road(), title="Road")
-    speed: Speed = Field(default=Speed(), title="Speed")
-    fuzzy: Annotated[Fuzzy, ADDED] = Field(default=Fuzzy(), title="Fuzzy speed control")
-    brake: Brake = Field(default=Brake(), title="Brake")
-    actuator: Actuator = Field(default=Actuator(), title="Actuator")
-    mismatch: Mismatch = Field(default=Mismatch(), title="Model mismatch")
-    estimation: Annotated[Estimation, ADDED] = Field(default=Estimation(), title="State estimation")
-    mpc: Mpc = Field(default=Mpc(), title="MPC")
-    lqr: Lqr = Field(default=Lqr(), title="LQR")
-    hook: Annotated[Hook, ADDED] = Field(default=Hook(), title="Skyhook and groundhook")
-    hil: Hil = Field(default=Hil(), title="Hardware in the loop")
-    own: Annotated[Own, ADDED] = Field(default=Own(), title="Own controllers")
+    vehicle: Vehicle = Vehicle()
+    road: Road = Road()
+    speed: Speed = Speed()
+    fuzzy: Annotated[Fuzzy, ADDED] = Fuzzy()
+    brake: Brake = Brake()
+    actuator: Actuator = Actuator()
+    mismatch: Mismatch = Mismatch()
+    estimation: Annotated[Estimation, ADDED] = Estimation()
+    mpc: Mpc = Mpc()
+    lqr: Lqr = Lqr()
+    hook: Annotated[Hook, ADDED] = Hook()
+    hil: Hil = Hil()
+    own: Annotated[Own, ADDED] = Own()
 
     _recordings: dict[str, RecordedDrive] = PrivateAttr(default_factory=dict)
 

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal, get_args
 from pydantic import BeforeValidator, Field, PrivateAttr
 from pydantic_core import PydanticCustomError
 
-from sim_core.scenario.fields import ADDED, Part, field, quantity
+from sim_core.scenario.fields import ADDED, Part, quantity
 from sim_core.scenario.measured import ID_PATTERN, MeasuredRoad
 
 MAX_SEED = 2**32 - 1
@@ -46,33 +46,12 @@ SHAPES: dict[BumpShape, ShapeFacts] = {
 class Bump(Part):
     """The obstacle, or several alike in a row, added to the roughness (Eq. 2-3)."""
 
-    shape: BumpShape = field(
-        "cosine",
-        "Shape",
-        "cosine is the paper's (Eq. 2); circular is a Watts hump; flat_top has half-cosine ramps, "
-        "trapezoid straight ones, each a quarter of the width; kerb rises as half a cosine and stays up.",
-    )
-    height: Annotated[float, quantity("m", soft=(-0.15, 0.2), ge=-1, le=1, shown="cm")] = field(
-        0.1,
-        "Height",
-        "Crest height; negative is a pothole. 0 adds no bump, but cars still slow down for its position, which may be "
-        "that of a bump in a measured profile, and metrics have a window there. Beyond the road's end, or where a "
-        "measured profile is given no position, there is no bump at all.",
-    )
-    width: Annotated[float, quantity("m", soft=(0.3, 10), ge=0.05, le=100)] = field(
-        4, "Width", "Length along the road."
-    )
-    start: Annotated[float, quantity("m", soft=(30, 130), ge=1, le=3000)] = field(
-        100, "Position", "Where the front axle meets it."
-    )
-    count: Annotated[int, quantity("1", soft=(1, 10), ge=1, le=200), ADDED] = field(
-        1, "Bumps", "How many alike in a row; they count as one bump, from the first to the last."
-    )
-    spacing: Annotated[float, quantity("m", soft=(0.3, 20), ge=0.05, le=1000), ADDED] = field(
-        10,
-        "Spacing",
-        "From the start of each to the next one's; cosines as far apart as they are wide are a washboard.",
-    )
+    shape: BumpShape = "cosine"
+    height: Annotated[float, quantity("m", soft=(-0.15, 0.2), ge=-1, le=1, shown="cm")] = 0.1
+    width: Annotated[float, quantity("m", soft=(0.3, 10), ge=0.05, le=100)] = 4
+    start: Annotated[float, quantity("m", soft=(30, 130), ge=1, le=3000)] = 100
+    count: Annotated[int, quantity("1", soft=(1, 10), ge=1, le=200), ADDED] = 1
+    spacing: Annotated[float, quantity("m", soft=(0.3, 20), ge=0.05, le=1000), ADDED] = 10
 
     @property
     def length(self) -> float:
@@ -107,32 +86,11 @@ _BY_CLASS = BeforeValidator(
 class Road(Part):
     """Rough road made in space by ISO 8608, or a measured one, with bumps (section 2.1)."""
 
-    roughness: Annotated[float, quantity("m^3", soft=(0, 1024e-6), ge=0, le=MAX_ROUGHNESS), _BY_CLASS] = field(
-        64e-6,
-        "Roughness",
-        "Displacement PSD Gd(n0) at n0 = 0.1 1/m; or a class of ISO 8608 by its name, A to H, for its mean: A 16e-6, "
-        "B 64e-6, C 256e-6, D 1024e-6, …; 0 is smooth.",
-    )
-    seed: Seed = field(1, "Seed", "Same seed, same road.")
-    length: Annotated[float, quantity("m", soft=(110, 300), ge=5, le=3000)] = field(
-        150,
-        "Length",
-        "The run ends when the front axle gets here. The paper's road ends at 110 m; ours lets the car settle. Where "
-        "none is given beside a measured profile, it is the profile's.",
-    )
-    profile: Annotated[str | None, ADDED] = Field(
-        default=None,
-        pattern=ID_PATTERN,
-        title="Measured profile",
-        description="Id of a measured road, in place of one made from roughness and seed. Its file "
-        "is CSV with distance [m] and height [mm] in its header, or left [mm] and right [mm].",
-    )
-    rear_axle: Annotated[RearAxle, ADDED] = field(
-        "in_turn",
-        "Rear axle",
-        "in_turn: it meets the road after the front one, later by the wheelbase. together: both meet it at the same "
-        "instant, as no car does; the paper's equations name no delay.",
-    )
+    roughness: Annotated[float, quantity("m^3", soft=(0, 1024e-6), ge=0, le=MAX_ROUGHNESS), _BY_CLASS] = 64e-6
+    seed: Seed = 1
+    length: Annotated[float, quantity("m", soft=(110, 300), ge=5, le=3000)] = 150
+    profile: Annotated[str | None, ADDED] = Field(default=None, pattern=ID_PATTERN)
+    rear_axle: Annotated[RearAxle, ADDED] = "in_turn"
     bump: Bump = Bump()
     _measured: MeasuredRoad | None = PrivateAttr(None)
 

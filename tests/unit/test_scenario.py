@@ -1,11 +1,14 @@
 """The scenario: strict about names, types and numbers, and its schema says everything a form needs."""
 
+import tomllib
+from pathlib import Path
 from typing import Any
 
 import pytest
 from pydantic import ValidationError
 
-from sim_core.scenario import Scenario
+from sim_core.scenario import Scenario, fields
+from sim_core.scenario.data_sheet import DataSheet
 from sim_core.scenario.dotted import with_changes
 from sim_core.scenario.presets import PRESETS
 from sim_core.simulate import simulate
@@ -107,6 +110,16 @@ def test_every_number_in_the_schema_has_a_title_a_unit_limits_and_a_soft_range_w
             assert default is None or low <= default <= number["maximum"], name
             assert not default or soft_low <= default <= soft_high, f"{name}: a slider shows its default"
     assert seen > 40
+
+
+def test_every_text_of_a_field_is_of_one_that_there_is() -> None:
+    texts = tomllib.loads(Path(fields.__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+    schemas = [Scenario.model_json_schema(), DataSheet.model_json_schema()]
+    parts = {schema["title"]: schema for each in schemas for schema in (each, *each.get("$defs", {}).values())}
+    assert texts.keys() <= parts.keys()
+    for part, named in texts.items():
+        assert named.keys() - {"*"} <= parts[part]["properties"].keys(), part
+        assert all(text.keys() <= {"title", "description", "note", "search_words"} for text in named.values()), part
 
 
 def test_the_schema_describes_each_part_and_the_scenario_in_a_line() -> None:

@@ -11,6 +11,7 @@ import orjson
 from backend.json_types import JsonObject
 from sim_core.comparison import numbers
 from sim_core.scenario import Scenario, dotted
+from sim_core.scenario.fields import field_texts
 from sim_core.strategies import label_of
 
 
@@ -117,10 +118,8 @@ def _described(name: str) -> tuple[str, str]:
         return name, "Its options."
     model: Any = Scenario
     for key in name.split("."):
-        field = model.model_fields[key]
-        model = field.annotation
-    title = field.title or model.model_config.get("title") or model.__name__
-    return title, (field.description or cleandoc(model.__doc__ or "")).replace("`", "")
+        texts, model = field_texts(model, key), model.model_fields[key].annotation
+    return texts.get("title", model.__name__), texts.get("description", cleandoc(model.__doc__ or "")).replace("`", "")
 
 
 @cache
