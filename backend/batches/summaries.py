@@ -139,7 +139,7 @@ class _Gathered:
 
 CACHED = 16  # a page that is opened again asks for the same
 # A summary of a batch that goes on is answered again for so many times as long as it took, or a page that is open would
-# keep a process from the batch (test_a_summary_of_a_batch_that_goes_on_is_answered_again_for_a_while).
+# keep a process from the batch.
 REUSE = 10
 COST = 0.005  # of one run, its loop's stability included [s of one core]
 

@@ -11,32 +11,10 @@ import pytest
 from numpy.typing import NDArray
 
 from sim_core import caching
-from sim_core.arrays import FloatArray
-from sim_core.caching import MEBIBYTE, Cache
 from sim_core.scenario import Actuator, Estimation, Lqr, Mismatch, Mpc, Scenario, Vehicle
 from sim_core.simulate import simulate
 from sim_core.speed.fuzzy import torque_rules
 from sim_core.strategies import STRATEGIES
-
-
-def test_latest_results_are_cached_while_they_fit_and_are_read_only() -> None:
-    cache = Cache(MEBIBYTE)
-
-    @cache.cached
-    def make(quarters: int, number: int) -> dict[str, tuple[FloatArray, ...]]:
-        whole = np.full(quarters * MEBIBYTE // 4 // 8 - 1000, float(number))
-        return {"whole and half": (whole, whole[: len(whole) // 2])}
-
-    first = make(1, 1)
-    assert make(1, 1) is first
-    for number in (2, 3, 4, 5):  # four quarters fit
-        make(1, number)
-    assert make(1, 1) is not first
-    assert make(8, 6) is not make(8, 6), "larger than the whole cache"
-    assert MEBIBYTE * 3 / 4 < cache.size <= MEBIBYTE
-    for array in (*first["whole and half"], *make(8, 6)["whole and half"]):
-        with pytest.raises(ValueError, match="read-only"):
-            array[0] = 1
 
 
 @pytest.mark.thorough

@@ -1,11 +1,9 @@
 """A batch's chunk in the process that computes it."""
 
 import json
-import pickle
 
 import pytest
 
-from backend.batches.points import Sweep, SweepError, points
 from backend.compute.chunk_messages import Chunk
 from backend.compute.compute_chunk import compute_chunk
 from backend.job_run import JobRun
@@ -23,7 +21,7 @@ def waiting(*heights: float, strategy: str = "passive") -> list[JobRun]:
     return [JobRun(number, text, strategy, text) for number, text in enumerate(changes)]
 
 
-def computed(runs: list[JobRun], base: JsonObject = BASE, budget: float = 60) -> list[Outcome]:
+def computed(runs: list[JobRun], base: JsonObject = BASE) -> list[Outcome]:
     return compute_chunk(
         Chunk(
             compute=compute,
@@ -33,7 +31,7 @@ def computed(runs: list[JobRun], base: JsonObject = BASE, budget: float = 60) ->
             base=base,
             runs=runs,
             roads={},
-            budget=budget,
+            budget=60,
             timeout=60,
         )
     )
@@ -46,10 +44,6 @@ def test_equal_runs_are_computed_once_and_each_has_its_own_scenario() -> None:
     assert peaks[1] == pytest.approx(1.6 * peaks[0], rel=0.2), "the passive car is linear, the road adds a little"
 
 
-def test_out_of_time_it_gives_what_it_has_and_always_something() -> None:
-    assert len(computed(waiting(0.05, 0.06, 0.07), budget=0)) == 1
-
-
 def test_without_its_measured_road_a_run_fails_and_the_failure_is_not_stored() -> None:
     base = {**BASE, "road": {**BASE["road"], "profile": "A" * 22}}
     (run,) = computed(waiting(0.05), base)
@@ -58,9 +52,11 @@ def test_without_its_measured_road_a_run_fails_and_the_failure_is_not_stored() -
     assert run.summary["kind"] == "unavailable"
 
 
-def test_a_sweeps_errors_survive_the_way_from_a_worker() -> None:
-    with pytest.raises(SweepError) as caught:
-        points(Sweep.model_validate({"grid": {"road.bmp": [1], "road.seed": [-1]}}), BASE)
-    again = pickle.loads(pickle.dumps(caught.value))  # noqa: S301 - our own
-    assert again.errors == caught.value.errors
-    assert [path for path, _ in again.errors] == [["grid", "road.bmp"], ["grid", "road.seed", 0]]
+def test_a_run_that_is_too_expensive_is_a_failure_to_be_stored() -> None:
+    """As it is of a single run."""
+    steps = {"sample_time": 0.002, "prediction_horizon": 200, "control_horizon": 100}
+    endless = Scenario.model_validate({"road": {"length": 3000}, "speed": {"initial_speed_kmh": 20}, "mpc": steps})
+    (of_batch,) = computed([JobRun(0, "{}", "lv", "key")], endless.model_dump(mode="json"))
+    for each in (compute(endless, "lv", "key"), of_batch):
+        assert (each.status, each.cacheable, each.summary["kind"]) == ("failed", True, "too-expensive")
+        assert each.summary["reason"].endswith(f"; change {' or '.join(each.summary['fields'])}")

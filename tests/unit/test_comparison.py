@@ -17,6 +17,7 @@ from sim_core.comparison.compare import compare_summaries
 from sim_core.comparison.numbers import significant
 from sim_core.comparison.variation import one_road_resolution
 from sim_core.strategies import STRATEGIES
+from tests import wording
 
 T_4 = 2.7764451  # Student's t at 97.5 %, 4 degrees of freedom (any table)
 
@@ -162,69 +163,19 @@ def compared(
 
 # rough road: body, pitch, front tyre, rear tyre; then the same on the bump
 LOW, HIGH = [1.0] * 8, [2.0] * 8
-MANY: dict[str, Sequence[float]] = {"lv": LOW, "lqr": HIGH, "skyhook": HIGH, "hybrid": HIGH, "passive": HIGH}
-# Values, speeds [km/h] where they are not 20, part of the sentence, whether it is mixed.
-VERDICTS: list[tuple[dict[str, Sequence[float]], dict[str, float | None], str, bool]] = [
-    ({"passive": LOW, "lqr": HIGH}, {}, "Passive is best in all 8 metrics.", False),
-    ({"passive": LOW, "lqr": HIGH}, {}, " lower than with LQR. Both meet the bump at 20.0", False),
-    (
-        {"lv": [1] * 7 + [1.05], "lqr": [2] * 7 + [1.0]},
-        {},
-        "in 7 of 8 metrics; in the other one (peak rear tyre",
-        False,
-    ),
-    ({"lv": LOW, "lqr": [2] * 4 + [0.9] * 2 + [2] * 2, "passive": HIGH}, {}, "the other 2 (peak accelerations", False),
-    ({"lv": LOW, "lqr": [2] * 4 + [0.9] * 2 + [2] * 2, "passive": HIGH}, {}, "Its RMS body acceleration on the", False),
-    ({"lv": [3, 1, 1, 1] * 2, "passive": HIGH}, {}, "in 6 of 8 metrics, but Passive has the lowest body", True),
-    ({"lv": [3, 1, 1, 1] * 2, "passive": HIGH}, {}, "With LV control, the RMS pitch acceleration", True),
-    ({"lv": [1] * 6 + [3, 3], "passive": HIGH}, {}, "but Passive has the lowest peak tyre loads on the bump.", True),
-    (
-        {"passive": [1, 1, 2, 2] * 2, "lv": [2, 2, 1, 1] * 2},
-        {},
-        "LV control has the lowest tyre loads, Passive the",
-        True,
-    ),
-    # More wins than any other, and more losses: Passive is best in 3 of 8 metrics, behind in 4.
-    (
-        {"passive": [1, 1, 1, 3, 3, 3, 3, 1], "lv": [2, 2, 2, 1, 1, 1, 1, 1.05], "lqr": [2, 2, 2, 1, 1, 1, 1, 1.04]},
-        {},
-        "LQR share the lead in 4 metrics; Passive leads in 3; LV control, LQR and Passive share the lead in",
-        True,
-    ),
-    ({"lv": LOW, "passive": [1.05] * 8}, {}, "LV control and Passive differ in none of 8 metrics beyond", False),
-    ({"lv": LOW, "lqr": [1.05] * 8, "passive": HIGH}, {}, "and no strategy is better than they are.", False),
-    ({"lv": LOW[:4], "passive": HIGH[:4]}, {}, "in all 4 metrics. Its RMS body acceleration on the rough road", False),
-    ({"lv": LOW}, {}, "There is no other result to compare LV control with.", False),
-    ({}, {}, "There is no result to compare.", False),
-    (MANY, {"passive": 50.0}, "Passive meets the bump at 50.0\u00a0km/h, the others at 20.0\u00a0km/h.", False),
-    (MANY, {"passive": None, "lqr": 50.0}, "at 20.0\u00a0km/h, LQR at 50.0\u00a0km/h.", False),
-    (MANY, {"lqr": 30.0, "skyhook": 40.0, "hybrid": 50.0, "passive": None}, "20.0\u00a0km/h to 50.0\u00a0km/h.", False),
-    ({"lv": LOW, "lqr": HIGH, "passive": HIGH}, {"passive": None}, " LV control and LQR meet the bump at", False),
-    (
-        {"lv": LOW, "lqr": [1.05] * 4 + [2.0] * 4, "passive": [2.0] * 4 + [1.05] * 4},
-        {},
-        "in no metric is any strategy better than LV control beyond",
-        False,
-    ),
-]
 
 
-@pytest.mark.parametrize(("values", "speeds", "text", "mixed"), VERDICTS)
-def test_the_verdict_names_no_loser_first_and_says_mixed_by_metric(
-    values: dict[str, Sequence[float]], speeds: dict[str, float | None], text: str, mixed: bool
-) -> None:
-    for order in permutations(values):
-        found = compared({name: values[name] for name in order}, speeds).verdict
-        assert text in found.text
-        assert found.mixed is mixed
-
-
-def test_a_verdict_as_it_is_written() -> None:
-    values, speeds = {"lv": LOW, "lqr": [1.5] * 8, "passive": HIGH}, {"lv": 22.5, "lqr": 22.5, "passive": 50.0}
-    assert compared(values, speeds).verdict.text == (
-        "LV control is best in all 8 metrics. Its peak body acceleration on the bump is 50.0\u2009% lower than with "
-        "Passive. LV control and LQR meet the bump at 22.5\u00a0km/h, Passive at 50.0\u00a0km/h."
-    )
+@pytest.mark.parametrize("asked", wording.asked_in("verdicts"), ids=str)
+def test_the_verdict_names_no_loser_first_and_says_mixed_by_metric(asked: dict[str, Any]) -> None:
+    """In whatever order results come; values of some metrics of some strategies, and speeds that are not 20 km/h."""
+    values = asked["values"]
+    found = {
+        (verdict.text, verdict.mixed)
+        for order in permutations(values)
+        for verdict in [compared({name: values[name] for name in order}, asked.get("speeds")).verdict]
+    }
+    (said,) = found
+    wording.check("verdicts", asked, list(said))
 
 
 def test_where_nothing_is_random_every_difference_that_shows_counts() -> None:

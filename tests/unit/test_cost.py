@@ -1,24 +1,18 @@
 """The cost of a run: bounds that hold, an estimate that grows with the work, and an end where it is too much."""
 
-import ast
 import pickle
 import subprocess
 import sys
 from collections.abc import Callable
-from contextlib import nullcontext
-from math import inf
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from backend.compute.chunk_messages import Chunk
-from backend.compute.compute_chunk import compute_chunk
 from backend.compute.fair_queue import SHORT
 from backend.cost import affordable
 from backend.cost import estimate as cost
 from backend.cost.estimate import (
-    SECONDS,
     check_affordable,
     cost_of,
     duration,
@@ -26,15 +20,13 @@ from backend.cost.estimate import (
     limited_share,
     memory,
     references,
-    work,
 )
 from backend.ecu import program, report
-from backend.job_run import JobRun
-from backend.runs import bands, compute_run, exports, pins
+from backend.runs import bands, exports, pins
 from sim_core import STRATEGIES, PredictiveController, simulate
 from sim_core.control import qp
 from sim_core.errors import TooExpensiveError
-from sim_core.scenario import SCHEMA_VERSION, Actuator, Brake, Bump, Estimation, Mpc, Road, Scenario, Speed, Vehicle
+from sim_core.scenario import Actuator, Brake, Bump, Estimation, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.strategies import REFERENCE_STRATEGIES
 from tests.results import event
 
@@ -47,7 +39,6 @@ ENDLESS = Scenario(
 EXPORT = exports.Export(
     strategies=["lv"], signals=["time"], points=None, file_format="csv", encoding="list", core_version="", sources={}
 )
-BACKEND = Path(compute_run.__file__).parents[1]
 
 
 @pytest.mark.parametrize("strategy", ["speed_only", "passive"])
@@ -99,6 +90,8 @@ def test_estimate_grows_with_what_costs() -> None:
     assert estimate(Scenario(mpc=Mpc(solver="osqp")), "lv") > 3 * plain
     assert estimate(AT_LIMITS, "lv") > estimate(Scenario(mpc=Mpc(solver="osqp")), "lv")
     assert estimate(Scenario(), "passive") < plain
+    walk = Scenario(road=Road(length=3000), speed=Speed(initial_speed_kmh=5, target_speed_kmh=5))
+    assert estimate(walk, "passive") > SHORT, "no short task: its arrays outgrow the processor's cache"
 
 
 def test_a_recording_leaves_room_for_other_strategies_whatever_its_controllers_cost() -> None:
@@ -113,20 +106,6 @@ def test_a_recording_leaves_room_for_other_strategies_whatever_its_controllers_c
     assert references(short) == REFERENCE_STRATEGIES
     assert "lv_hil" not in REFERENCE_STRATEGIES
     assert "suspension_only" in set(REFERENCE_STRATEGIES) - set(references(hard))
-
-
-def test_the_actuator_is_no_work_of_a_passive_car() -> None:
-    slow, fast = (
-        Scenario(vehicle=Vehicle(tyre_lift_off=True), actuator=Actuator(bandwidth=bandwidth)) for bandwidth in (1, 1000)
-    )
-    assert estimate(slow, "passive") == estimate(fast, "passive")
-    assert estimate(slow, "lqr") < estimate(fast, "lqr")
-
-
-def test_a_long_walk_is_no_short_task() -> None:
-    """Its arrays outgrow the processor's cache."""
-    walk = Scenario(road=Road(length=3000), speed=Speed(initial_speed_kmh=5, target_speed_kmh=5))
-    assert estimate(walk, "passive") > SHORT
 
 
 @pytest.mark.parametrize("strategy", STRATEGIES)
@@ -155,66 +134,6 @@ def test_all_that_simulates_refuses_it(compute: Callable[[Path], object], tmp_pa
     """Runs, solve and links: `compute_run`; batches, tunings, robustness and the paper: `compute_chunk`; below."""
     with pytest.raises(TooExpensiveError):
         compute(tmp_path / "file")
-
-
-def test_runs_and_jobs_store_the_refusal() -> None:
-    outcome = compute_run.compute(ENDLESS, "lv", "k")
-    [of_job] = compute_chunk(
-        Chunk(
-            compute=compute_run.compute,
-            group="",
-            core_version="1",
-            schema_version=SCHEMA_VERSION,
-            base=ENDLESS.model_dump(mode="json"),
-            runs=[JobRun(0, "{}", "lv", "k")],
-            roads={},
-            budget=60,
-            timeout=60,
-        )
-    )
-    for each in (outcome, of_job):
-        assert (each.status, each.cacheable, each.summary["kind"]) == ("failed", True, "too-expensive")
-        assert "road.length" in each.summary["fields"]
-        assert each.summary["reason"].endswith(f"; change {' or '.join(each.summary['fields'])}")
-
-
-def test_nothing_simulates_past_the_check() -> None:
-    """Whoever takes the core's `simulate` checks first (above), or drives the paper's own scenarios."""
-    takers = {
-        str(path.relative_to(BACKEND))
-        for path in BACKEND.rglob("*.py")
-        for node in ast.walk(ast.parse(path.read_bytes()))
-        if isinstance(node, ast.ImportFrom) and node.module in ("sim_core", "sim_core.simulate")
-        if "simulate" in [alias.name for alias in node.names]
-    }
-    assert takers == {
-        "cost/affordable.py",
-        "ecu/program.py",
-        "ecu/report.py",
-        "paper/paper_rows.py",
-    }
-
-
-@pytest.mark.parametrize("factor", [0.0, 1e6])
-def test_seconds_fitted_anew_refuse_and_accept_the_same_runs(factor: float, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cost, "SECONDS", {unit: factor * value for unit, value in SECONDS.items()})
-    monkeypatch.setattr(cost, "MAX_BYTES", inf)  # its own test is below
-    at_the_limit = ENDLESS.model_copy(update={"mpc": Mpc(sample_time=0.002, prediction_horizon=130)})
-    beyond_it = ENDLESS.model_copy(update={"mpc": Mpc(sample_time=0.002, prediction_horizon=131)})
-    for scenario, strategy, refused in (
-        (at_the_limit, "suspension_only", False),
-        (beyond_it, "suspension_only", True),
-        (Scenario(), "lv_hil", False),
-        (ENDLESS, "lv_hil", True),
-    ):
-        with pytest.raises(TooExpensiveError) if refused else nullcontext():
-            check_affordable(scenario, strategy)
-
-
-def test_work_is_counted_in_whole_steps_and_an_ecu_has_none_at_a_limit() -> None:
-    assert work(Scenario(), STRATEGIES["lv"], 20.0, 1.0)["limited steps"] == 2000
-    counts = work(Scenario(), STRATEGIES["lv_hil"], 20.0, 1.0)
-    assert (counts["exchanges"], counts["limited steps"]) == (2000, 0)
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,6 @@
 import io
 import re
 import subprocess
-import sys
 import zipfile
 from functools import partial
 from pathlib import Path
@@ -11,7 +10,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from backend.__main__ import main
 from backend.ecu import build, effort, export, firmware, tables
 from backend.ecu.link import connected
 from benchmarks.cortex_m3 import CortexM3
@@ -98,12 +96,3 @@ def test_on_the_parts_processor_it_does_the_same_in_the_cycles_the_report_takes(
         assert abs(spent.cycles / (operations * effort.CYCLES_PER_OPERATION) - 1) <= effort.SPREAD
         assert spent.stack <= effort.STM32F103.stack
         assert spent.instructions < spent.cycles < 2 * spent.instructions
-
-
-def test_a_program_that_is_none_of_the_scenarios_is_refused(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    scenario = io.TextIOWrapper(io.BytesIO(b'{"road": {"length": 40, "bump": {"start": 20}}}'))
-    monkeypatch.setattr(sys, "stdin", scenario)
-    assert main(["--drive", "/bin/true"]) == 2
-    assert "ended before the drive did" in capsys.readouterr().err

@@ -1,7 +1,6 @@
 """The connection to the ECU's process: what misbehaving leads to, and that nothing stays."""
 
 import os
-import re
 import signal
 import subprocess
 import sys
@@ -122,26 +121,6 @@ def test_the_program_ends_with_a_plant_that_was_killed() -> None:
         return not psutil.pid_exists(pid) or psutil.Process(pid).status() == psutil.STATUS_ZOMBIE
 
     wait_until(has_ended, "it ends with its plant")
-
-
-def test_without_a_compiler_there_is_no_process_to_connect_to(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, calibration: Calibration
-) -> None:
-    monkeypatch.setenv(build.FOLDER, str(tmp_path))
-    monkeypatch.setattr(build, "has_zig", bool)
-    build.program.cache_clear()
-    programs = tmp_path / "bin"
-    programs.mkdir()
-    monkeypatch.setenv("PATH", str(programs))
-    try:
-        with pytest.raises(EcuError, match=f"^{re.escape(build.NO_COMPILER)}$"), connected(calibration):
-            pass
-        (programs / "gcc").write_text("#!/bin/sh\necho 'stdint.h: No such file' >&2\nexit 1\n")
-        (programs / "gcc").chmod(0o755)
-        with pytest.raises(EcuError, match=r"failed \(stdint\.h: "), connected(calibration):
-            pass
-    finally:
-        build.program.cache_clear()
 
 
 def test_a_folder_of_somebody_else_is_not_used(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

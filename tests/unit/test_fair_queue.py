@@ -57,16 +57,6 @@ def test_what_a_task_took_counts_and_not_what_was_estimated() -> None:
     assert processes.queue.in_work("as estimated") == pytest.approx(3.0, rel=0.2)
 
 
-def test_while_a_task_takes_longer_than_estimated_its_client_has_more_in_work() -> None:
-    processes = Processes(2)
-    processes.ask("slow", 0.1, count=2)
-    processes.now += 3.0
-    processes.ask("quick", 2.0)
-    processes.ask("slow", 0.1)
-    processes.work(0.0)
-    assert processes.order[-1] == "quick"
-
-
 def test_what_was_used_is_forgotten() -> None:
     processes = Processes(1)
     processes.ask("earlier", 8.0)
@@ -112,16 +102,6 @@ def test_the_only_process_alive_takes_long_tasks_too() -> None:
     assert processes.order == ["long", "short"]
 
 
-def test_no_more_run_than_there_are_processes_left() -> None:
-    processes = Processes(2, reserved=1)
-    processes.ask("long", 20.0)
-    processes.ask("short")
-    processes.count = 1  # the other's process has died: its task ends
-    processes.work(client="long")
-    processes.ask("third")
-    assert processes.order == ["long", "short"]
-
-
 def test_a_task_that_is_killed_counts_as_all_that_was_estimated() -> None:
     queue = FairQueue(clock=lambda: 0.0)
     queue.add("gone", 20.0)
@@ -129,10 +109,3 @@ def test_a_task_that_is_killed_counts_as_all_that_was_estimated() -> None:
     assert task is not None
     queue.end(task, killed=True)
     assert queue.in_work("gone") == 20.0
-
-
-def test_a_task_that_nobody_waits_for_is_never_begun() -> None:
-    queue = FairQueue()
-    queue.remove(queue.add("gone", 1.0))
-    assert queue.begin_next(5) is None
-    assert queue.waiting == 0

@@ -64,14 +64,6 @@ class Crowd:
         assert not self.turns._handled
 
 
-async def who_is_alone_waits_and_is_never_refused(crowd: Crowd) -> None:
-    await crowd.send(*["alone"] * 64)
-    assert (crowd.counts["alone"], crowd.turns.waiting) == (CLIENT_PLACES, 64 - CLIENT_PLACES)
-    for _ in range(64):
-        await crowd.end("alone")
-    assert crowd.turns.open == 0
-
-
 async def another_client_finds_a_place_at_once_and_then_each_has_its_turn(crowd: Crowd) -> None:
     await crowd.send(*["greedy"] * 50)
     await crowd.send(*["polite"] * 6)
@@ -106,7 +98,6 @@ async def a_turn_that_comes_as_its_request_goes_away_is_the_next_ones(crowd: Cro
 @pytest.mark.parametrize(
     "story",
     [
-        who_is_alone_waits_and_is_never_refused,
         another_client_finds_a_place_at_once_and_then_each_has_its_turn,
         who_goes_away_leaves_queue_and_place,
         a_turn_that_comes_as_its_request_goes_away_is_the_next_ones,

@@ -1,7 +1,5 @@
 """The core's C: how it is compiled, and each function against its definition in NumPy."""
 
-import ctypes
-import re
 import subprocess
 import sys
 from pathlib import Path
@@ -11,8 +9,7 @@ import pytest
 from numpy.random import default_rng
 
 from sim_core import LinearLaw
-from sim_core.ecu import program
-from sim_core.kernel import binding, build, library, prepared, qp, record
+from sim_core.kernel import binding, build, library
 from sim_core.kernel.library import load
 from sim_core.kernel.qp import QpMemory
 from sim_core.loop.closed_loop import control_law_context
@@ -27,58 +24,6 @@ def test_where_it_is_not_built_or_of_other_sources_it_says_what_to_do(tmp_path: 
     for file, expected in [(tmp_path / "libridelab.so.1", None), (built, "of other sources")]:
         with pytest.raises(ImportError, match="make setup"):
             load(file, expected)
-
-
-DTYPES = {"double": "f8", "float": "f4", "int": "intc", "int32_t": "i4", "int8_t": "i1", "unsigned char": "u1"}
-DECLARATION = re.compile(r"^(void|int|double) ?ridelab_(\w+)\(([^{;]*)\)\n?\s*\{", re.MULTILINE)
-
-
-def test_every_function_is_called_as_c_declares_it() -> None:
-    """Numbers are of the type there, as many as a struct has, and an array may be read only where C says `const`."""
-    declared = {
-        f"ridelab_{name}": (result, " ".join(parameters.split()).split(", "))
-        for source in build.SOURCES
-        for result, name, parameters in DECLARATION.findall(source.read_text())
-    }
-    functions = [
-        each
-        for module in (binding, library, prepared, program, qp, record)
-        for each in vars(module).values()
-        if isinstance(each, library.Function)
-    ]
-    assert len(functions) > 20
-    for function in functions:
-        c = function._checked
-        result, parameters = declared[c.__name__]
-        assert c.restype is {"void": None, "int": ctypes.c_int, "double": ctypes.c_double}[result], c.__name__
-        parameters = [] if parameters == ["void"] else parameters[c.__name__.startswith("ridelab_prepare_") :]
-        for kind, parameter in zip(function._arguments, parameters, strict=True):
-            is_const, number = re.match(r"(const )?((?:unsigned )?\w+)", parameter).groups()  # type: ignore[union-attr]
-            if isinstance(kind, library.Array):
-                if kind._shape and number == "struct":
-                    (struct,) = re.findall(r"struct (\w+)", parameter)
-                    assert kind._shape == (library.size_of(struct),), f"{c.__name__}: {parameter}"
-                assert (kind._flags & library._WRITEABLE == 0) == bool(is_const), f"{c.__name__}: {parameter}"
-                assert kind._dtype == DTYPES.get(number, kind._dtype), f"{c.__name__}: {parameter}"
-            else:
-                scalar = {"int": ctypes.c_int, "double": ctypes.c_double, "char": ctypes.c_char_p}.get(number)
-                assert kind is scalar or number == "struct", f"{c.__name__}: {parameter}"
-
-
-def test_the_digest_is_of_every_source_and_the_flags(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    assert build.digest() == library.DIGEST
-    digests = {library.DIGEST}
-    for index, source in enumerate((*build.SOURCES, *build.HEADERS)):
-        changed = tmp_path / source.name
-        changed.write_bytes(source.read_bytes() + b"\n")
-        files = [changed if file == source else file for file in (*build.SOURCES, *build.HEADERS)]
-        with monkeypatch.context() as patch:
-            patch.setattr(build, "SOURCES", files[: len(build.SOURCES)])
-            patch.setattr(build, "HEADERS", files[len(build.SOURCES) :])
-            digests.add(build.digest())
-        assert len(digests) == index + 2, source.name
-    monkeypatch.setattr(build, "FLAGS", (*build.FLAGS, "-ffast-math"))
-    assert build.digest() not in digests
 
 
 def test_it_is_plain_c11_to_the_machines_compiler(tmp_path: Path) -> None:

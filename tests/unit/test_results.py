@@ -1,20 +1,16 @@
 """Results: equal computations are joined, the last request that goes away calls one off, memory is bounded."""
 
 import asyncio
-import pickle
-import tracemalloc
 from collections.abc import Mapping
 from contextlib import nullcontext
 from operator import attrgetter
 from typing import Any, cast
 
 import numpy as np
-import pytest
 from cachetools import LRUCache
-from numpy.typing import NDArray
 
 from backend.outcome import Outcome, Sampling
-from backend.runs.results import Results, together
+from backend.runs.results import Results
 from sim_core import Scenario
 from tests.servers import loops
 
@@ -113,48 +109,6 @@ def test_no_request_takes_every_worker_for_all_its_roads() -> None:
         assert len(await asked) == len(roads)
 
     loops.run(use)
-
-
-def test_a_custom_controller_shares_no_worker_whatever_it_is_called() -> None:
-    keys = dict.fromkeys(("lv", "lqr", "passive", "planned", "constant"), "")
-    assert [list(each) for each in together(keys, Scenario(), 1)] == [
-        ["lv", "lqr"],
-        ["passive"],
-        ["planned"],
-        ["constant"],
-    ]
-    assert [list(each) for each in together(keys, Scenario(), 5)] == [
-        ["lv", "lqr", "passive"],
-        ["planned"],
-        ["constant"],
-    ]
-
-
-@pytest.mark.parametrize("series", [None, np.zeros((4, 100), dtype=np.float32)])
-def test_results_in_memory_take_no_more_than_they_may(series: NDArray[np.float32] | None) -> None:
-    """As they come from a worker."""
-    finder = results()
-
-    def coming(number: int) -> Outcome:
-        result = Outcome(
-            key=f"{number:043}",
-            strategy="lv",
-            status="ok",
-            json=bytes(2900),
-            compute_ms=1.5,
-            sampling=Sampling(100),
-            series=series,
-        )
-        return cast(Outcome, pickle.loads(pickle.dumps(result)))  # noqa: S301  # our own
-
-    for number in range(2000):
-        coming(number)  # CPython keeps so many tuples of a length that nobody needs any more
-    tracemalloc.start()
-    for number in range(1000):
-        finder.remember(coming(number))
-    taken, _ = tracemalloc.get_traced_memory()
-    tracemalloc.stop()
-    assert 0.8e6 < taken < 1.02e6
 
 
 def test_memory_answers_only_for_the_points_it_has() -> None:

@@ -7,9 +7,9 @@ from typing import Any
 import pytest
 from pydantic import ValidationError
 
-from sim_core.scenario import Scenario, fields
+from sim_core.errors import UnknownNameError
+from sim_core.scenario import Scenario, dotted, fields
 from sim_core.scenario.data_sheet import DataSheet
-from sim_core.scenario.dotted import with_changes
 from sim_core.scenario.presets import PRESETS
 from sim_core.simulate import simulate
 
@@ -144,7 +144,7 @@ def test_the_schema_describes_each_part_and_the_scenario_in_a_line() -> None:
 def test_a_smooth_road_is_random_with_noise_jitter_or_losses(path: str, value: Any) -> None:
     smooth = Scenario.model_validate({"road": {"roughness": 0}})
     assert not smooth.is_random
-    assert Scenario.model_validate(with_changes(smooth.model_dump(mode="json"), {path: value})).is_random
+    assert Scenario.model_validate(dotted.with_changes(smooth.model_dump(mode="json"), {path: value})).is_random
 
 
 @pytest.mark.parametrize("strategy", ["suspension_only", "lv"])
@@ -152,3 +152,21 @@ def test_no_limit_binds_in_the_nearest_reading_of_the_paper(strategy: str) -> No
     result = simulate(PRESETS["paper_nearest"].scenario, strategy)
     assert result.events["limited_steps"] == 0
     assert result.stages[-2].end_position == 104, "both axles leave the bump together"
+
+
+def test_a_name_that_is_unknown_may_have_meant_those_below_the_part_it_begins_with() -> None:
+    assert {name.rpartition(".")[0] for name in dotted.offered("mpc.stage_weights.cruise.9")} == {
+        "mpc.stage_weights.cruise"
+    }
+    assert {name.partition(".")[0] for name in dotted.offered("brake.strength")} == {"brake"}
+    assert dotted.offered("brakes.lag") == list(dotted.fields())
+
+
+def test_a_name_that_is_unknown_changes_nothing() -> None:
+    plain = Scenario().model_dump(mode="json")
+    changes = {"vehicle": {**plain["vehicle"], "body_mass": 700.0}, "mpc.stage_weights.cruise.0": 4.0}
+    changed = Scenario.model_validate(dotted.with_changes(plain, changes))
+    assert (changed.vehicle.body_mass, changed.mpc.stage_weights.cruise) == (700.0, (4.0, 1.0, 1.0))
+    for name in ("road.bumb.height", "road.lenght", "road.length.x", "mpc.stage_weights.cruise.3"):
+        with pytest.raises(UnknownNameError, match="Unknown field; there are "):
+            dotted.with_changes(plain, {name: 1.0})

@@ -1,25 +1,17 @@
 """Long answers lie in files whose sum is bounded, and nothing is left of them."""
 
 import errno
-import fcntl
-import io
-import shutil
 import subprocess
 import sys
 from functools import partial
 from pathlib import Path
-from types import SimpleNamespace
-from typing import IO
 
-import orjson
 import pytest
 
-from backend.batches.table import ColumnPages
 from backend.errors import BusyError, CostLimitError, TooManyRequestsError
 from backend.gate.budget import Budget
-from backend.http import spool
 from backend.http.spool import MAX_IN_MEMORY, Spool, SpoolFile
-from backend.pieces import render_to, write_json
+from backend.pieces import render_to
 from tests.servers import loops
 from tests.servers.process import HANG_TIMEOUT, ROOT
 
@@ -83,15 +75,6 @@ def test_a_long_one_lies_in_a_file_until_it_is_closed_or_forgotten(tmp_path: Pat
         assert not list(folder.iterdir())
 
 
-def test_a_second_attempt_leaves_nothing_of_the_first(tmp_path: Path) -> None:
-    file = tmp_path / "answer"
-    file.write_bytes(b"a worker died in the middle of a longer one")
-    assert render_to(lambda opened: opened.write(b"again"), file) == b""
-    assert file.read_bytes() == b"again"
-    with pytest.raises(FileNotFoundError):  # a file that is gone is not made again: nobody would remove it
-        render_to(lambda _: None, tmp_path / "gone")
-
-
 def test_the_sum_is_bounded_and_shared(tmp_path: Path) -> None:
     spool = Spool(tmp_path, Budget("space", 100 * MEGABYTE))
     with pytest.raises(CostLimitError, match="30 MB would be needed, and the limit is 25 MB: ask for fewer"):
@@ -133,48 +116,6 @@ def test_a_failure_leaves_nothing_and_a_full_disk_is_said(tmp_path: Path) -> Non
         assert not list(tmp_path.iterdir())
 
 
-def test_files_that_are_not_written_yet_count_on_the_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    size, spooled = 8 * MEGABYTE, Spool(tmp_path, Budget("space", 100 * MEGABYTE))
-    free = spool.LEAST_FREE + 1.5 * size
-    monkeypatch.setattr(shutil, "disk_usage", lambda _: SimpleNamespace(free=free))
-    first = spooled.file("one", size)
-    with pytest.raises(BusyError, match="disk"):
-        spooled.file("two", size)
-    first.path.write_bytes(bytes(size))  # now it is the disk that knows
-    spooled.file("two", size).close()
-    first.path.write_bytes(b"")
-    first.close()
-    spooled.file("two", size).close()
-
-
-@pytest.mark.parametrize("removed", [False, True])
-def test_a_file_that_a_starting_service_takes_for_a_dead_ones_is_given_up(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, removed: bool
-) -> None:
-    """Between its creation and its lock the other one has locked it, or removed it already."""
-    locks, others = [], []
-
-    def flock(file: IO[bytes], operation: int) -> None:
-        locks.append(operation)
-        if len(locks) == 1:
-            (path,) = tmp_path.iterdir()
-            others.append(path.open("rb"))
-            real(others[0], fcntl.LOCK_EX)
-            if removed:
-                path.unlink()
-                others[0].close()
-        real(file, operation | fcntl.LOCK_NB)
-
-    real = fcntl.flock
-    monkeypatch.setattr(fcntl, "flock", flock)
-    file = Spool(tmp_path, Budget("space", 100 * MEGABYTE)).file("one", LONG)
-    others[0].close()
-    assert list(tmp_path.iterdir()) == [file.path]
-    assert all(operation & fcntl.LOCK_NB for operation in locks), "the event loop does not wait"
-    file.close()
-    assert not list(tmp_path.iterdir())
-
-
 def test_what_a_killed_service_left_is_removed_and_nothing_else(tmp_path: Path) -> None:
     command = [sys.executable, "-c", OTHER, str(tmp_path)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, cwd=ROOT) as other:
@@ -190,41 +131,3 @@ def test_what_a_killed_service_left_is_removed_and_nothing_else(tmp_path: Path) 
             other.wait(HANG_TIMEOUT)
     spool.clear()
     assert list(tmp_path.iterdir()) == [own.path]
-
-
-def test_functions_in_json_are_called_one_after_the_other() -> None:
-    called = []
-
-    def later(value: object) -> object:
-        called.append(value)
-        return {"value": value, "none": {}}
-
-    content = {"a": partial(later, 1), "b": [1, {"c": "ü"}], "d": {"e": partial(later, 2)}, "f": {}}
-    sink = io.BytesIO()
-    write_json(content, sink)
-    assert orjson.loads(sink.getvalue()) == {
-        "a": {"value": 1, "none": {}},
-        "b": [1, {"c": "ü"}],
-        "d": {"e": {"value": 2, "none": {}}},
-        "f": {},
-    }
-    assert called == [1, 2]
-
-
-@pytest.mark.parametrize("pages", [0, 1, 3])
-def test_pages_become_columns(tmp_path: Path, pages: int) -> None:
-    names, file = ["run", "reason"], tmp_path / "answer"
-    file.touch()
-    columns = ColumnPages(names, io.BytesIO())
-    for page in range(pages):
-        columns.add([orjson.dumps([page, -page])[1:-1], b'null,"a,b"'])
-    expected = {
-        "batch": "b",
-        "columns": {
-            "run": [value for page in range(pages) for value in (page, -page)],
-            "reason": [None, "a,b"] * pages,
-        },
-    }
-    assert orjson.loads(columns.assembled({"batch": "b"}, None)) == expected
-    columns.assembled({"batch": "b"}, file)
-    assert orjson.loads(file.read_bytes()) == expected

@@ -1,6 +1,5 @@
 """A batch's summary against what can be counted by hand."""
 
-import asyncio
 import statistics
 from collections.abc import Sequence
 from typing import Any
@@ -9,13 +8,7 @@ import numpy as np
 import pytest
 
 from backend.batches import summary
-from backend.batches.models import BatchSummary
-from backend.batches.summaries import Summaries
 from backend.batches.summary import QUANTILES, Study
-from backend.gate import Gate
-from backend.settings import Settings
-from backend.store import StoredJob
-from tests.servers import loops
 
 FIGURE = "bump.body_acceleration.peak"
 
@@ -114,44 +107,3 @@ def test_unstable_loops_are_counted() -> None:
     damping = np.array([[0.2, 0.1], [-0.1, 0.1], [np.nan, 0.3]])
     stability = summarise(study([[1, 1], [1, 1], [1, 1]], damping=damping), "b")["a"]["stability"]
     assert (stability["known"], stability["unstable"], stability["lowest"]["value"]) == (2, 1, -0.1)
-
-
-def test_a_summary_of_a_batch_that_goes_on_is_answered_again_for_a_while(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A page that shows it while it runs asks every few seconds, and each summary reads every run."""
-    computed: list[int] = []
-
-    async def summarised(job: StoredJob, *_: object) -> Any:
-        computed.append(job.done)
-        await asyncio.sleep(0.02)
-        fields: dict[str, Any] = {"state": job.state}
-        return BatchSummary.model_construct(**fields), False
-
-    class NoRoads:
-        async def named(self, _: object) -> dict[str, Any]:
-            return {}
-
-    monkeypatch.setattr("backend.batches.summaries.summarised", summarised)
-    none: Any = NoRoads()
-    summaries = Summaries(rows=lambda _: none, call=none.named, gate=Gate(Settings()), roads=none)
-
-    async def ask(done: int) -> None:
-        job = StoredJob(
-            id="a batch",
-            kind="sweep",
-            state="running",
-            request={"scenario": {}, "strategies": ["lv"]},
-            estimated_cost=1,
-            total=100,
-            done=done,
-            request_hash="",
-        )
-        await summaries.get(job, [FIGURE], None, "one")
-
-    async def ask_all() -> None:
-        for done in (1, 2, 3):
-            await ask(done)
-        await asyncio.sleep(1)
-        await ask(4)
-
-    loops.run(ask_all)
-    assert computed == [1, 4]

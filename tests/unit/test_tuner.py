@@ -12,10 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from backend.batches import robustness
-from backend.batches.kind import SWEEP
 from backend.job_run import JobRow
-from backend.jobs.chunk_cutter import RunningJob
 from backend.store.trials import StoredTrial
 from backend.tunings import comparison, front, space
 from backend.tunings.measure import Aims, Failure
@@ -23,7 +20,6 @@ from backend.tunings.models import TuningRequest
 from backend.tunings.objectives import StoredLimit, StoredObjective, UndefinedObjectiveError
 from backend.tunings.search import Search, ask
 from sim_core.scenario import Scenario, dotted
-from tests.api.test_job_store import BATCH
 from tests.there import there
 
 AIMS = Aims(objectives=[StoredObjective(kind="figure", q=[1, 1, 1], window=None, figure="travel_time")], limits=[])
@@ -171,18 +167,6 @@ def test_preview_horizon_and_times_are_searched_as_what_they_are() -> None:
     assert space.longest_run(request) == {"mpc.prediction_horizon": 60, "mpc.sample_time": 0.005}
 
 
-def test_an_uncertain_road_is_a_point_of_the_robustness_study_that_its_seed_names() -> None:
-    request = TuningRequest(uncertain=True).stored()
-    one, other = space.road(request, 1), space.road(request, 2)
-    assert one == space.road(request, 1)
-    assert one["road.seed"] == 1
-    ranges = {each.field: each for each in robustness.UNCERTAINTIES}
-    assert set(one) == set(ranges)
-    assert all(ranges[name].low <= value <= ranges[name].high for name, value in one.items())
-    assert all(one[name] != other[name] for name in ranges)
-    assert space.road(TuningRequest().stored(), 1) == {"road.seed": 1}
-
-
 def test_a_quantile_over_the_roads_is_what_is_minimised() -> None:
     aims = replace(AIMS, quantile=0.9)
     runs: dict[int, Mapping[str, float] | Failure] = {seed: {"objectives.0": float(seed)} for seed in range(1, 12)}
@@ -190,11 +174,6 @@ def test_a_quantile_over_the_roads_is_what_is_minimised() -> None:
     assert AIMS.trial(0, 0, {}, runs).values == [6.0]
     compared = comparison.compared([trial(0, 10.0)], {0: ["paper"]}, {0: runs}, [*range(1, 12)], [1, 2], aims)
     assert compared[0].training["objectives.0"].quantile == 10.0
-
-
-def test_a_request_of_before_is_stored_as_it_was() -> None:
-    """Its hash decides whether a retried key is the same request."""
-    assert not {"previews", "uncertain", "quantile"} & set(TuningRequest().stored())
 
 
 def searched(count: int) -> tuple[Search, list[StoredTrial]]:
@@ -280,20 +259,3 @@ def test_what_cannot_be_tuned_is_refused_at_its_field(body: dict[str, Any], plac
     with pytest.raises(ValidationError) as refused:
         TuningRequest.model_validate_json(orjson.dumps(body))
     assert refused.value.errors()[0]["loc"] == place
-
-
-def test_the_rest_of_a_batch_is_shared_among_its_processes() -> None:
-    def running_job(total: int, sent: int = 0, estimated_cost: float = 1.5) -> RunningJob:
-        job = replace(BATCH, total=total, estimated_cost=estimated_cost)
-        return RunningJob(kind=SWEEP, job=job, order=np.arange(total), sent=sent)
-
-    running = running_job(64, sent=32)
-    running.record_time(32, 0.64)
-    assert running.size(max_chunks=4) == 8, "32 are left"
-    running.sent = 56
-    assert running.size(max_chunks=4) == 2, "8 are left"
-    long = running_job(10_000)
-    long.record_time(1, 0.02)
-    assert long.size(max_chunks=4) == 50, "about a second while there is enough"
-    new = running_job(10_000, estimated_cost=500.0)
-    assert new.size(max_chunks=4) == 20, "by the estimate until a run has been timed"
