@@ -218,7 +218,7 @@ def _histories(stored: StoredRun) -> dict[str, str]:
 
 def _check_names(view: LinkView, stored: Iterable[str]) -> None:
     """Refuse a strategy that the result does not have and that there is not now either."""
-    allowed = [*strategies(), *stored]
+    allowed = list(dict.fromkeys([*strategies(), *sorted(stored)]))
     for place, name in view.names():
         if name not in allowed:
             raise _unknown(f"view/{place}", unknown_name("strategy", name, allowed))

@@ -1,23 +1,13 @@
 """What results mean beside each other, over HTTP: the core's comparison in answers about runs."""
 
 import json
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from typing import Any
-from unittest.mock import Mock
 
 import httpx
-import orjson
-import pytest
 
-from backend.outcome import Outcome
-from backend.runs import answers
-from backend.runs.answers import as_plain, run_answer
-from backend.store import StoredRun
 from sim_core import Comparison, Scenario, compare, simulate
 from sim_core.catalogue import PAPER_METRICS
-from sim_core.comparison.compare import compare_summaries
-from sim_core.scenario import Road
-from sim_core.strategies import STRATEGIES
 from tests.api.conftest import Service
 from tests.api.test_recordings import SCENARIO, SENT, recorded, send
 
@@ -104,73 +94,3 @@ def test_a_baseline_that_failed_stays_the_baseline(service: Service, lqr_fails: 
     assert set(comparison["verdict"]["best"].values()) == {"lv"}
     alone = service.run(["lqr"], {"road": {"length": 131.6, "seed": lqr_fails}}).json()["comparison"]
     assert alone["verdict"] == {"text": "There is no result to compare.", "best": {}, "mixed": False}
-
-
-def test_a_strategy_of_another_core_is_cautioned_beside_the_vehicle(run: dict[str, Any]) -> None:
-    """Where every reader looks: in the comparison and in the answer's own cautions."""
-    outcomes = [
-        Outcome(key=name, strategy=name, status="ok", json=orjson.dumps(each), compute_ms=1.0, core_version=version)
-        for (name, each), version in zip(run["strategies"].items(), ("0.4.0", "0.5.0", "0.4.0"), strict=True)
-    ]
-    stored = StoredRun(
-        id="r", core_version="0.4.0", schema_version=1, scenario=run["scenario"], results=tuple(outcomes)
-    )
-    answer = as_plain(run_answer(stored))
-    assert answer["cautions"] == answer["comparison"]["cautions"]
-    assert [each["kind"] for each in answer["cautions"]] == ["paper_sag", "core_version"]
-    assert answer["cautions"][1] | {"kind": "", "field": None} == {
-        "kind": "",
-        "text": "LQR was computed by core 0.5.0, the other strategies by core 0.4.0: part of a difference may come "
-        "from that.",
-        "field": None,
-        "strategy": "lqr",
-    }
-    without = as_plain(run_answer(stored, compared=["lv"]))
-    assert [each["kind"] for each in without["cautions"]] == ["paper_sag"]
-
-
-def test_a_stored_run_is_compared_once_until_something_of_it_changes(
-    run: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    comparing = Mock(wraps=compare_summaries)
-    monkeypatch.setattr(answers, "compare_summaries", comparing)
-    results = tuple(
-        Outcome(key=name, strategy=name, status="ok", json=orjson.dumps(each), compute_ms=1.0, core_version="0.4.0")
-        for name, each in run["strategies"].items()
-    )
-    stored = StoredRun(id="s", core_version="0.4.0", schema_version=1, scenario=run["scenario"], results=results)
-    first = as_plain(run_answer(stored))
-    assert as_plain(run_answer(stored)) == first
-    assert comparing.call_count == 1
-    for changed, parameters in (
-        (stored, {"baseline": "lqr"}),
-        (stored, {"compared": ["lv"]}),
-        (replace(stored, results=(replace(results[0], json=results[1].json), *results[1:])), {}),
-        (replace(stored, results=(replace(results[0], core_version="0.3.0"), *results[1:])), {}),
-        (replace(stored, scenario=Scenario(road=Road(roughness=0.0)).model_dump(mode="json")), {}),
-    ):
-        assert as_plain(run_answer(changed, **parameters))["comparison"] != first["comparison"]
-    with monkeypatch.context() as renamed:
-        renamed.setitem(STRATEGIES, "lv", type("Renamed", (STRATEGIES["lv"],), {"label": "Another name"}))
-        assert "Another name" in as_plain(run_answer(stored))["comparison"]["verdict"]["text"]
-
-
-@pytest.mark.parametrize(
-    ("parameters", "said"),
-    [
-        ({"baseline": "skyhook"}, "This run has lv, lqr, passive; the baseline is one of them"),
-        ({"compare": "lv,skyhook"}, "This run has lv, lqr, passive: only these can be compared"),
-    ],
-)
-def test_what_the_run_does_not_have_is_refused(
-    client: httpx.Client, run: dict[str, Any], parameters: dict[str, str], said: str
-) -> None:
-    answer = get(client, run, **parameters)
-    assert answer.status_code == 422
-    assert answer.json()["errors"] == [{"pointer": "", "parameter": next(iter(parameters)), "message": said}]
-
-
-def test_live_refuses_a_baseline_that_does_not_run(service: Service) -> None:
-    answer = service.live(["lv"], {}, baseline="passive")
-    assert answer.status_code == 422
-    assert answer.json()["errors"][0]["pointer"] == "/baseline"

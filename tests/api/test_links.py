@@ -287,12 +287,3 @@ def test_a_batch_can_be_shared(client: httpx.Client, batch: dict[str, Any]) -> N
         name: batch[name] for name in ("id", "total", "fields")
     }
     assert link["scenario"] == batch["scenario"]
-
-
-@pytest.mark.parametrize("view", [{"x": "road.bump.width"}, {"x": "nothing"}])
-def test_a_batch_is_seen_over_the_fields_it_sweeps(
-    client: httpx.Client, batch: dict[str, Any], view: dict[str, Any]
-) -> None:
-    answer = client.post("/api/v1/links", json={"batch_id": batch["id"], "view": view})
-    assert answer.status_code == 422
-    assert answer.json()["errors"] == [{"pointer": "/view/x", "message": "This batch sweeps road.bump.height"}]

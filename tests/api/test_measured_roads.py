@@ -138,35 +138,6 @@ def test_a_scenario_without_a_length_ends_with_its_road(service: Service, sent: 
     assert travel_times({"length": 145}) == [None, pytest.approx(145 / speed)]
 
 
-@pytest.mark.parametrize(
-    ("path", "road", "change", "pointer"),
-    [
-        ("runs", {"profile": MISSING}, {}, "/scenario/road/profile"),
-        ("live", {"profile": MISSING}, {}, "/scenario/road/profile"),
-        ("batches", {"profile": MISSING}, {"sweep": {"grid": {"road.bump.height": [0]}}}, "/scenario/road/profile"),
-        ("batches", {"profile": None}, {"sweep": {"grid": {"road.profile": [MISSING]}}}, "/sweep"),
-        ("runs", {"length": 145}, {}, "/scenario/road/length"),
-        ("runs", {"length": None, "bump": {"start": 138}}, {}, "/scenario/road/bump/start"),
-        ("runs", {}, {"roads": 3}, "/roads"),
-        ("tunings", {}, {"trials": 1}, "/scenario/road/profile"),
-    ],
-)
-def test_what_cannot_be_driven_names_its_field(
-    client: httpx.Client,
-    scenario: dict[str, Any],
-    path: str,
-    road: dict[str, Any],
-    change: dict[str, Any],
-    pointer: str,
-) -> None:
-    wrong = {name: value for name, value in {**scenario["road"], **road}.items() if value is not None}
-    strategies = {} if path == "tunings" else {"strategies": ["passive"]}
-    dry = {"dry_run": True} if path == "batches" else {}
-    answer = client.post(f"/api/v1/{path}", json={"scenario": {"road": wrong}, **strategies, **dry, **change})
-    assert answer.status_code == 422
-    assert [error["pointer"] for error in answer.json()["errors"]] == [pointer]
-
-
 def test_how_long_a_road_may_be_counts_what_the_profile_does_not_have(
     client: httpx.Client, scenario: dict[str, Any]
 ) -> None:

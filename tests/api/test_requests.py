@@ -172,24 +172,6 @@ def test_integers_may_be_written_as_other_programs_do_and_fields_nested_or_dotte
     assert client.post("/api/v1/live", json={"strategies": ["passive"], "points": 100.0}).status_code == 200
 
 
-@pytest.mark.parametrize(
-    ("scenario", "pointer"),
-    [
-        ({"road": {"seed": 2.5}}, "/scenario/road/seed"),
-        ({"road": {"seed": 1e300}}, "/scenario/road/seed"),
-        ({"road.bump.hight": 0.1}, "/scenario/road.bump.hight"),
-        ({"road.seed": 1, "road": {"seed": 1}}, "/scenario/road.seed"),
-        ({"road.seed.x": 1, "road": {"seed": 1}}, "/scenario/road.seed.x"),
-    ],
-)
-def test_what_is_no_integer_and_no_field_is_refused_at_its_place(
-    client: httpx.Client, scenario: dict[str, Any], pointer: str
-) -> None:
-    answer = client.post("/api/v1/runs", json={"scenario": scenario, "strategies": ["passive"]})
-    problem = check(answer, 422, "invalid-request")
-    assert [error.pointer for error in problem.errors] == [pointer]
-
-
 def test_a_trailing_slash_is_the_same_address(client: httpx.Client) -> None:
     assert client.get("/api/v1/presets/").json() == client.get("/api/v1/presets").json()
     assert client.post("/api/v1/runs/", json={"strategies": ["passive"]}).status_code == 200

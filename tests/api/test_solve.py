@@ -149,9 +149,3 @@ def test_the_cost_of_all_that_may_be_tried_is_limited_before_anything_is_driven(
     assert response.status_code == 422
     assert response.json()["type"].endswith(":cost-limit")
     assert not worker_calls
-
-
-@pytest.mark.parametrize("field", ["road.seed", "mpc.preview", "mpc.stage_weights.bump", "vehicle.tyre_lift_off"])
-def test_a_field_that_takes_no_number_with_an_order_is_refused(client: httpx.Client, field: str) -> None:
-    response = ask(client, **{**HEIGHT, "field": field}, range=[1, 2], limit=4)
-    assert (response.status_code, response.json()["errors"][0]["pointer"]) == (422, "/field")
