@@ -4,6 +4,7 @@ No id begins with a sign, which a command line would take for an option and a sp
 """
 
 import base64
+import contextlib
 import hashlib
 import secrets
 from collections.abc import Iterable, Sequence
@@ -31,7 +32,16 @@ def random_id() -> str:
 
 def canonical(value: Any) -> bytes:
     """Return one byte string for one meaning: keys sorted, no spaces, 50 and 50.0 alike, no negative zero."""
+    with contextlib.suppress(orjson.JSONEncodeError):  # for an integer that no double holds
+        written = orjson.dumps(value, option=orjson.OPT_SORT_KEYS | orjson.OPT_STRICT_INTEGER)
+        if not has_whole_floats(written):
+            return written
     return orjson.dumps(_plain(value), option=orjson.OPT_SORT_KEYS)
+
+
+def has_whole_floats(written: bytes) -> bool:
+    """Check whether JSON that orjson has written has a number such as `2.0`; a text like that counts, too."""
+    return any(end in written for end in (b".0,", b".0]", b".0}")) or written.endswith(b".0")
 
 
 def canonical_identity(scenario: Scenario) -> JsonObject:

@@ -6,11 +6,12 @@ import os
 for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ.setdefault(_name, "1")  # before numpy loads: one core for both sides of every ratio
 
-from benchmarks import api_latency, batches, core, first_view, path  # noqa: E402 - after the thread limits above
+from benchmarks import acceptance, api_latency, batches, core, first_view, path  # noqa: E402 - after the thread limits above
 
 PARTS = {
     "core": core.run,
     "api_latency": api_latency.run,
+    "acceptance": acceptance.run,
     "first_view": first_view.run,
     "batches": batches.run,
     "path": path.run,

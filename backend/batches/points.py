@@ -7,11 +7,19 @@ value and makes the list of points, each a mapping of those fields to values.
 import itertools
 import math
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 from typing import Annotated, Any, Self
 
 import numpy as np
-from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
+from pydantic import (
+    BeforeValidator,
+    Field,
+    ValidatorFunctionWrapHandler,
+    WithJsonSchema,
+    WrapValidator,
+    model_validator,
+)
 from pydantic_core import PydanticCustomError
 
 from backend.json_types import NUMBERS_SCHEMA, JsonObject
@@ -55,6 +63,13 @@ def _dotted(fields: Any) -> Any:
     return flat
 
 
+def _dotted_points(points: Any, validated: ValidatorFunctionWrapHandler) -> Any:
+    """Name fields by their dotted names; a list of objects is what it has to be, and large ones take their time."""
+    if not isinstance(points, list) or {*map(type, points)} != {dict}:
+        return validated(points)
+    return [point if dict not in map(type, point.values()) else _dotted(point) for point in points]
+
+
 Dotted = BeforeValidator(_dotted)
 
 
@@ -83,8 +98,11 @@ class Sweep(RequestModel):
         "Field -> values; every combination, the last field changing fastest", None
     )
     latin_hypercube: LatinHypercube | None = None
-    points: Annotated[list[Annotated[dict[str, Value], Dotted]], Field(min_length=1)] | None = Field(
-        None, alias="list", description="Field -> value, point by point; a field a point does not name keeps its value"
+    points: Annotated[list[dict[str, Value]] | None, WrapValidator(_dotted_points)] = Field(
+        None,
+        alias="list",
+        min_length=1,
+        description="Field -> value, point by point; a field a point does not name keeps its value",
     )
     linked: Annotated[dict[str, Annotated[list[str], Field(min_length=1, max_length=32)]] | None, Dotted] = _by_field(
         "Swept field -> further fields that take its value at each point, such as one speed for both", None
@@ -95,6 +113,38 @@ class Sweep(RequestModel):
         if sum(form is not None for form in (self.grid, self.latin_hypercube, self.points)) != 1:
             raise PydanticCustomError("one_form", "Exactly one of grid, latin_hypercube and list has to be there")
         return self
+
+    @property
+    def size(self) -> int:
+        """Return the number of points."""
+        if self.grid is not None:
+            return math.prod(len(values) for values in self.grid.values())
+        return len(self.points or []) if self.latin_hypercube is None else self.latin_hypercube.samples
+
+    @cached_property
+    def places(self) -> dict[str, list[str | int]]:
+        """Return where each swept field is named first."""
+        if self.grid is not None:
+            return {name: ["grid", name] for name in self.grid}
+        if self.latin_hypercube is not None:
+            return {name: ["latin_hypercube", "ranges", name] for name in self.latin_hypercube.ranges}
+        places: dict[str, list[str | int]] = {}
+        for index, point in enumerate(self.points or []):
+            for name in point:
+                if name not in places:
+                    places[name] = ["list", index, name]
+        return places
+
+    @property
+    def fields(self) -> list[str]:
+        """Return the dotted names of the fields that the sweep changes."""
+        linked = itertools.chain.from_iterable((self.linked or {}).values())
+        return [*self.places, *linked]
+
+    def plain(self) -> JsonObject:
+        """Return the sweep as it was sent, its fields by dotted names."""
+        rest = self.model_dump(mode="json", by_alias=True, exclude_none=True, exclude={"points"})
+        return rest if self.points is None else {"list": self.points, **rest}
 
 
 class SweepError(Exception):
@@ -109,21 +159,6 @@ class SweepError(Exception):
         return [{"pointer": pointer(["sweep", *shown_path(path)]), "message": message} for path, message in self.errors]
 
 
-def size(sweep: Sweep) -> int:
-    """The number of points."""
-    if sweep.grid is not None:
-        return math.prod(len(values) for values in sweep.grid.values())
-    if sweep.latin_hypercube is not None:
-        return sweep.latin_hypercube.samples
-    return len(sweep.points or [])
-
-
-def fields_of(sweep: Sweep) -> list[str]:
-    """Return the dotted names of the fields that the sweep changes."""
-    linked = itertools.chain.from_iterable((sweep.linked or {}).values())
-    return [*_places(sweep), *linked]
-
-
 def check_at_once(sweep: Sweep, base: JsonObject) -> None:
     """Check the sweep's names, and its values where they are few: of many that takes seconds.
 
@@ -132,108 +167,118 @@ def check_at_once(sweep: Sweep, base: JsonObject) -> None:
     """
     values = sum(map(len, sweep.points or ())) + sum(map(len, (sweep.grid or {}).values()))
     if values <= FEW_VALUES:
-        _checked_points(sweep, base)
+        _checked_points(sweep, base, range(sweep.size))
         return
-    errors: Errors = []
-    for name, path in _places(sweep).items():
-        _field(name, path, errors)
-    _check_links(sweep, errors, values=False)
-    _raise(errors)
+    found = _Errors()
+    for name, path in sweep.places.items():
+        found.field(name, path)
+    _check_links(sweep, found, values=False)
+    found.end()
 
 
 def points(sweep: Sweep, base: JsonObject, first: int = 0, count: int | None = None) -> list[PointChanges]:
     """Return so many of the sweep's points; `base` is the plain scenario they start from.
 
     Raises:
-        SweepError: Fields that do not exist, and values a field does not take.
+        SweepError: Fields that do not exist, and values a field does not take; of a list in these points.
     """
-    draw = _checked_points(sweep, base)
+    last = sweep.size if count is None else min(sweep.size, first + count)
     leaders = {field: name for name, fields in (sweep.linked or {}).items() for field in fields}
-    drawn = draw(first, None if count is None else first + count)
+    drawn = _checked_points(sweep, base, range(first, last))
     return [point | {field: point[name] for field, name in leaders.items()} for point in drawn]
 
 
-Errors = list[tuple[list[str | int], str]]
-Points = Callable[[int, int | None], Iterator[PointChanges]]  # from the first one to before the last one
-
-
-def _checked_points(sweep: Sweep, base: JsonObject) -> Points:
-    errors: Errors = []
+def _checked_points(sweep: Sweep, base: JsonObject, some: range) -> Iterator[PointChanges]:
+    found = _Errors()
+    drawn: Iterator[PointChanges]
     if sweep.grid is not None:
-        draw = _grid(sweep.grid, errors)
+        drawn = itertools.islice(_grid(sweep.grid, found), some.start, some.stop)
     elif sweep.latin_hypercube is not None:
-        draw = _latin_hypercube(sweep.latin_hypercube, errors)
+        drawn = itertools.islice(_latin_hypercube(sweep.latin_hypercube, found), some.start, some.stop)
     else:
-        draw = _list(sweep.points or [], list(_places(sweep)), base, errors)
-    _check_links(sweep, errors)
-    _raise(errors)
-    return draw
+        drawn = _list(sweep, base, some, found)
+    _check_links(sweep, found)
+    found.end()
+    return drawn
 
 
-def _raise(errors: Errors) -> None:
-    if errors:
-        raise SweepError(errors[:MOST_ERRORS])
+class _Errors:
+    """What a sweep cannot use; so many errors are enough."""
+
+    def __init__(self) -> None:
+        self._errors: list[tuple[list[str | int], str]] = []
+
+    def add(self, path: list[str | int], message: str) -> None:
+        """Note an error; raise SweepError where that is the last one to be told."""
+        self._errors.append((path, message))
+        if len(self._errors) == MOST_ERRORS:
+            self.end()
+
+    def end(self) -> None:
+        """Raise SweepError where there were errors."""
+        if self._errors:
+            raise SweepError(self._errors)
+
+    def field(self, name: str, path: list[str | int]) -> dotted.DottedField | None:
+        """Return the field of that name; where there is none it is an error."""
+        try:
+            return dotted.field(name)
+        except RidelabError:
+            self.add(path, unknown_name("field", name, dotted.offered(name)))
+            return None
+
+    def checked(self, field: dotted.DottedField, value: Any, path: list[str | int]) -> Any:
+        """Return the value as the field takes it; where it takes it not it is an error."""
+        try:
+            return field.checked(_whole(value) if field.kind == "integer" and isinstance(value, float) else value)
+        except RidelabError as error:
+            self.add(path, error.message)
+            return None
 
 
-def _places(sweep: Sweep) -> dict[str, list[str | int]]:
-    """Return where each swept field is named first."""
-    if sweep.grid is not None:
-        return {name: ["grid", name] for name in sweep.grid}
-    if sweep.latin_hypercube is not None:
-        return {name: ["latin_hypercube", "ranges", name] for name in sweep.latin_hypercube.ranges}
-    places: dict[str, list[str | int]] = {}
-    for index, point in enumerate(sweep.points or []):
-        for name in point:
-            if name not in places:
-                places[name] = ["list", index, name]
-    return places
+def _grid(grid: Mapping[str, Sequence[Any]], found: _Errors) -> Iterator[PointChanges]:
+    checked: dict[str, list[Any]] = {}
+    for name, values in grid.items():
+        field = found.field(name, ["grid", name])
+        if field is not None:
+            checked[name] = [found.checked(field, value, ["grid", name, i]) for i, value in enumerate(values)]
+    return (dict(zip(checked, values, strict=True)) for values in itertools.product(*checked.values()))
 
 
-def _grid(grid: Mapping[str, Sequence[Any]], errors: Errors) -> Points:
-    checked = {
-        name: [_checked(name, value, ["grid", name, index], errors) for index, value in enumerate(values)]
-        for name, values in grid.items()
-    }
-    every = itertools.product(*checked.values())
-    return lambda first, last: (
-        dict(zip(checked, values, strict=True)) for values in itertools.islice(every, first, last)
-    )
+def _list(sweep: Sweep, base: JsonObject, some: range, found: _Errors) -> Iterator[PointChanges]:
+    fields = {name: found.field(name, path) for name, path in sweep.places.items()}
+    unchanged = {name: dotted.value(base, name) for name, field in fields.items() if field is not None}
+    named: list[PointChanges] = []
+    for index in some:
+        point = (sweep.points or [])[index].items()
+        taken = ((name, field, value) for name, value in point if (field := fields[name]) is not None)
+        named.append({name: found.checked(field, value, ["list", index, name]) for name, field, value in taken})
+    return ({name: point.get(name, value) for name, value in unchanged.items()} for point in named)
 
 
-def _list(listed: Sequence[JsonObject], names: Sequence[str], base: JsonObject, errors: Errors) -> Points:
-    named = [
-        {name: _checked(name, value, ["list", index, name], errors) for name, value in point.items()}
-        for index, point in enumerate(listed)
-    ]
-    unchanged = {} if errors else {name: dotted.value(base, name) for name in names}
-    return lambda first, last: (
-        {name: point.get(name, unchanged[name]) for name in names} for point in named[first:last]
-    )
-
-
-def _latin_hypercube(cube: LatinHypercube, errors: Errors) -> Points:
+def _latin_hypercube(cube: LatinHypercube, found: _Errors) -> Iterator[PointChanges]:
     for name, ends in cube.ranges.items():
         path: list[str | int] = ["latin_hypercube", "ranges", name]
         if len(ends) != 2 or not ends[0] < ends[1]:
-            errors.append((path, "A range is [lowest, highest], the first smaller than the second"))
+            found.add(path, "A range is [lowest, highest], the first smaller than the second")
             continue
-        field = _field(name, path, errors)
+        field = found.field(name, path)
         if field is not None and field.kind not in ("number", "integer"):
-            errors.append((path, "A range needs a field that takes a number"))
+            found.add(path, "A range needs a field that takes a number")
         elif field is not None:
             for index, end in enumerate(ends):
-                _checked(name, _whole(end) if field.kind == "integer" else end, [*path, index], errors)
+                found.checked(field, _whole(end) if field.kind == "integer" else end, [*path, index])
+    return _drawn(cube)
 
-    def draw(first: int, last: int | None) -> Iterator[PointChanges]:
-        from scipy.stats import qmc  # takes half a second: most processes never draw
 
-        names = list(cube.ranges)
-        unit = qmc.LatinHypercube(d=len(names), rng=np.random.default_rng(cube.seed)).random(cube.samples)
-        for row in unit[first:last]:
-            values = zip(names, row, strict=True)
-            yield {name: _scaled(name, float(value), cube.ranges[name]) for name, value in values}
+def _drawn(cube: LatinHypercube) -> Iterator[PointChanges]:
+    from scipy.stats import qmc  # takes half a second: most processes never draw
 
-    return draw
+    names = list(cube.ranges)
+    unit = qmc.LatinHypercube(d=len(names), rng=np.random.default_rng(cube.seed)).random(cube.samples)
+    for row in unit:
+        values = zip(names, row, strict=True)
+        yield {name: _scaled(name, float(value), cube.ranges[name]) for name, value in values}
 
 
 def _scaled(name: str, fraction: float, ends: Sequence[float]) -> float | int:
@@ -247,43 +292,21 @@ def _whole(value: float) -> float | int:
     return int(value) if float(value).is_integer() else value
 
 
-def _field(name: str, path: list[str | int], errors: Errors) -> dotted.DottedField | None:
-    try:
-        return dotted.field(name)
-    except RidelabError:
-        same_field = bool(errors) and errors[-1][0] == path  # as for each of its values
-        if len(errors) < MOST_ERRORS and not same_field:
-            errors.append((path, unknown_name("field", name, dotted.offered(name))))
-        return None
-
-
-def _checked(name: str, value: Any, path: list[str | int], errors: Errors) -> Any:
-    field = _field(name, path if path[0] == "list" else path[:-1], errors)
-    if field is None:
-        return None
-    try:
-        return field.checked(_whole(value) if field.kind == "integer" and isinstance(value, float) else value)
-    except RidelabError as error:
-        errors.append((path, error.message))
-        return None
-
-
-def _check_links(sweep: Sweep, errors: Errors, *, values: bool = True) -> None:
-    names = list(_places(sweep))
-    for name, fields in (sweep.linked or {}).items():
+def _check_links(sweep: Sweep, found: _Errors, *, values: bool = True) -> None:
+    for name, followers in (sweep.linked or {}).items():
         path: list[str | int] = ["linked", name]
-        if name not in names:
-            errors.append((path, "Only a field that the sweep changes can be followed by others"))
+        if name not in sweep.places:
+            found.add(path, "Only a field that the sweep changes can be followed by others")
             continue
-        own = _field(name, path, errors)
-        for index, field in enumerate(fields):
-            other = _field(field, [*path, index], errors)
+        own = found.field(name, path)
+        for index, follower in enumerate(followers):
+            other = found.field(follower, [*path, index])
             if own is not None and other is not None and own.unit != other.unit:
-                errors.append(([*path, index], f"Has another unit than {name}: {other.unit}, not {own.unit}"))
+                found.add([*path, index], f"Has another unit than {name}: {other.unit}, not {own.unit}")
             elif other is not None and values:
                 for value in _values(sweep, name):
-                    _checked(field, value, [*path, index], errors)
-    _check_overlaps(fields_of(sweep), errors)
+                    found.checked(other, value, [*path, index])
+    _check_overlaps(sweep.fields, found)
 
 
 def _values(sweep: Sweep, name: str) -> Sequence[Any]:
@@ -295,11 +318,11 @@ def _values(sweep: Sweep, name: str) -> Sequence[Any]:
     return [point[name] for point in sweep.points or [] if name in point]
 
 
-def _check_overlaps(names: Sequence[str], errors: Errors) -> None:
+def _check_overlaps(names: Sequence[str], found: _Errors) -> None:
     """Refuse a field and one of its own members in one sweep, which would fight over the value."""
     for name in names:
         if name in dotted.fields() and any(other.startswith(name + ".") for other in names):
-            errors.append(([], f"A sweep changes {name} either whole or in parts"))
+            found.add([], f"A sweep changes {name} either whole or in parts")
     for name, count in Counter(names).items():
         if count > 1:
-            errors.append((["linked"], f"{name} is changed twice"))
+            found.add(["linked"], f"{name} is changed twice")

@@ -13,7 +13,7 @@ from backend.batches.judged import JudgedRuns
 from backend.batches.kind import SWEEP
 from backend.batches.models import Batch, Batches, BatchItem, BatchRequirements, BatchSummary, Estimate
 from backend.batches.plan import SweepBase
-from backend.batches.points import Sweep, SweepError, check_at_once, fields_of, size
+from backend.batches.points import Sweep, SweepError, check_at_once
 from backend.batches.summaries import Summaries
 from backend.batches.table import Page
 from backend.compute.workers import Workers
@@ -82,7 +82,7 @@ class BatchService:
         """Return the size and the estimated time of that batch, or the error that planning it would meet."""
         names = ordered(strategies)
         settled = await self._checked(scenario, names, sweep)
-        with self.gate.computing(client, PLAN_COST * size(sweep) * len(names)):
+        with self.gate.computing(client, PLAN_COST * sweep.size * len(names)):
             base, roads = await self._base(settled, names, sweep, given_length=_has_length(scenario))
             planned = await self._planned(base, sweep, client)
         cost = plan.TRIAL_RUNS * len(names) * min(plan.TRIAL_LIMIT, planned.max_run_cost)
@@ -134,11 +134,13 @@ class BatchService:
         """
         names = ordered(strategies)
         settled = await self._checked(scenario, names, sweep)
-        sent, held = _sent(sweep), dict[str, Any]()
+        sent, held = sweep.plain(), dict[str, Any]()
         if requirements:
             required = [each.model_dump(mode="json", exclude_none=True) for each in requirements]
             held = {"baseline": baseline, "requirements": required}
-        hashed = request_hash({"scenario": settled.identity(), "strategies": names, "sweep": sent, **held})
+        hashed = ""
+        if key is not None:
+            hashed = request_hash({"scenario": settled.identity(), "strategies": names, "sweep": sent, **held})
         existing = await self.jobs.existing(key, hashed)
         if existing is not None:
             return existing
@@ -152,7 +154,7 @@ class BatchService:
             request={
                 "scenario": settled.model_dump(mode="json"),
                 "strategies": names,
-                "fields": fields_of(sweep),
+                "fields": sweep.fields,
                 "linked": sweep.linked or {},
                 "shape": [len(values) for values in (sweep.grid or {}).values()],
                 "given_length": _has_length(scenario),
@@ -298,7 +300,7 @@ class BatchService:
 
     async def _checked(self, scenario: Scenario, names: Sequence[str], sweep: Sweep) -> Scenario:
         """Check what takes no time; return the scenario as it is driven."""
-        self.jobs.check_runs(size(sweep) * len(names))
+        self.jobs.check_runs(sweep.size * len(names))
         settled = await self.roads.settled(scenario)
         try:
             check_at_once(sweep, settled.model_dump(mode="json"))
@@ -316,7 +318,7 @@ class BatchService:
         """
         plain = scenario.model_dump(mode="json")
         of_base = await self.roads.named(measured_roads(plain))
-        roads = {**of_base, **await self.roads.named(swept_roads(_sent(sweep)), "/sweep")}
+        roads = {**of_base, **await self.roads.named(swept_roads(sweep.plain()), "/sweep")}
         lengths: dict[str | None, float] = {}
         if not given_length:
             lengths = {None: Road().length} | {profile: road.length for profile, road in roads.items()}
@@ -331,8 +333,8 @@ class BatchService:
             TemporaryError: Later.
         """
         planned, count = _Planned(), max(1, PLANNED_AT_ONCE // len(base.strategies))
-        for first in range(0, size(sweep), count):
-            cost = PLAN_COST * min(count, size(sweep) - first) * len(base.strategies)
+        for first in range(0, sweep.size, count):
+            cost = PLAN_COST * min(count, sweep.size - first) * len(base.strategies)
             try:
                 piece = await self._call(client, cost, plan.plan, base, sweep, first, count)
             except SweepError as error:
@@ -368,8 +370,3 @@ def _has_length(scenario: Scenario) -> bool:
 
 def _unusable(error: SweepError) -> InvalidError:
     return InvalidError("The sweep has fields that cannot be used; errors names each.", errors=error.problems())
-
-
-def _sent(sweep: Sweep) -> JsonObject:
-    """Return the sweep as it was sent."""
-    return sweep.model_dump(mode="json", by_alias=True, exclude_none=True)

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from backend.batches.points import Sweep, SweepError, fields_of, points
+from backend.batches.points import Sweep, SweepError, points
 from sim_core.scenario import Scenario, dotted
 
 
@@ -20,7 +20,7 @@ def test_a_latin_hypercube_is_spread_over_its_ranges_and_the_same_for_a_seed() -
     cube = {"latin_hypercube": {"ranges": ranges, "samples": 20, "seed": 5}}
     sweep, base = Sweep.model_validate(cube), Scenario().model_dump(mode="json")
     drawn = points(sweep, base)
-    assert fields_of(sweep) == list(ranges)
+    assert sweep.fields == list(ranges)
     assert points(sweep, base, 7, 5) == drawn[7:12]
     for name, (low, high) in ranges.items():
         values = [dotted.value(dotted.with_changes(base, point), name) for point in drawn]
@@ -52,6 +52,19 @@ def test_fields_of_a_sweep_are_dotted_or_nested() -> None:
     with pytest.raises(SweepError) as refused:
         points(sweep_of({"list": [{"road": {"sed": 1}}]}), Scenario().model_dump(mode="json"))
     assert [path for path, _ in refused.value.errors] == [["list", 0, "road.sed"]]
+
+
+def test_the_first_fifty_errors_are_enough_and_a_piece_of_a_list_is_checked_alone() -> None:
+    base = Scenario().model_dump(mode="json")
+    unknown = Sweep.model_validate({"list": [{f"name{index}": 1} for index in range(60)]})
+    with pytest.raises(SweepError) as refused:
+        points(unknown, base, 0, 1)
+    assert [path[1] for path, _ in refused.value.errors] == list(range(50))
+    seeds = Sweep.model_validate({"list": [{"road.seed": seed} for seed in (1, 2, -1)]})
+    assert points(seeds, base, 0, 2) == [{"road.seed": 1}, {"road.seed": 2}]
+    with pytest.raises(SweepError) as refused:
+        points(seeds, base, 2, 5)
+    assert [path for path, _ in refused.value.errors] == [["list", 2, "road.seed"]]
 
 
 @given(st.data())
