@@ -2,8 +2,6 @@
 
 import asyncio
 import itertools
-import time
-from collections.abc import Sequence
 
 Connection = tuple[asyncio.StreamReader, asyncio.StreamWriter]
 _seeds = itertools.count(1)
@@ -55,15 +53,6 @@ class Caller:
                 self._idle.append((reader, writer))
                 return answer
 
-    async def hold(self, count: int) -> None:
-        """Have so many more connections, each of which has asked something."""
-        opened = []
-        for _ in range(count):
-            self._idle.append(await self._connect())
-            await self.call("GET", "/healthz")
-            opened.append(self._idle.pop())
-        self._idle += opened
-
     async def close(self) -> None:
         """End its connections."""
         for _, writer in self._idle:
@@ -97,29 +86,3 @@ def quantile(times: list[float], share: float) -> float:
     if not times:
         return 0.0
     return 1000 * sorted(times)[min(len(times) - 1, int(share * len(times)))]
-
-
-async def served(port: int, addresses: Sequence[str], end: float) -> tuple[list[float], list[float]]:
-    """Times of health checks and of new runs, asked by each client in turn on a new connection; none is refused [s].
-
-    Args:
-        port: Where the service is.
-        addresses: Of the clients.
-        end: By the monotonic clock.
-    """
-    health, runs = list[float](), list[float]()
-    for address in itertools.cycle(addresses):
-        if time.monotonic() >= end:
-            break
-        caller = Caller(port, address)
-        for into, request in ((health, ("GET", "/healthz")), (runs, ("POST", "/api/v1/runs", new_run()))):
-            begin = time.monotonic()
-            status, _, _ = await caller.call(*request)
-            into.append(time.monotonic() - begin)
-            assert status == 200
-        await caller.close()
-    print(
-        f"\nothers' {len(health)} /healthz {quantile(health, 0.5):.0f} ms, p99 {quantile(health, 0.99):.0f}; "
-        f"runs {quantile(runs, 0.5):.0f} ms, p99 {quantile(runs, 0.99):.0f}"
-    )
-    return health, runs

@@ -1,8 +1,9 @@
 """One client sends the dearest requests it may, again as soon as each is answered: another client's runs are answered.
 
-Fifteen loads, each by an address of its own, one after the other on one service, and on two replicas by turns, with
+Seventeen loads, each by an address of its own, one after the other on one service, and on two replicas by turns, with
 shipped settings; beside each the other client compares three strategies in scenarios nobody drove before. A load ends
-when its client hangs up, in mid-run. DRILL_SECONDS= changes how long each lasts.
+when its client hangs up, in mid-run. DRILL_SECONDS= changes how long each lasts. At which line a file is refused is
+shown by tests/api/test_measured_roads.py and test_recordings.py.
 """
 
 import asyncio
@@ -31,6 +32,16 @@ GREEDY, OTHER = "127.0.0.{}", "127.0.0.100"
 PLAIN = b'"lv", "lqr", "passive"'
 ROAD = "distance [m],height [mm]\n" + "".join(f"{0.01 * step:.2f},{step % 7}\n" for step in range(200_000))
 LONG_HORIZONS = {"prediction_horizon": 60, "control_horizon": 40}
+INFINITE = ROAD.partition("\n")[2].replace("1000.00,5", "1000.00,inf")
+NO_FILES = (  # the longest that are read to their middle or end before they are refused
+    ("roads", f"distance [m],height [mm]\n{INFINITE}".encode()),
+    ("roads", b"x [m],z [m]\n" + 2_000_000 * b"\n"),
+    ("roads", b"x [m],z [m]\n" + 4_000_000 * b"1"),
+    ("recordings", f"time [s],body_acceleration [m/s^2]\n{INFINITE}".encode()),
+    ("recordings", 2000 * b"a," + b"b\n" + 900 * (2000 * b"1," + b"1\n")),
+    ("recordings", b"time [s],height [mm]\n" + 500_000 * b"0,1\n"),
+    ("recordings", 4_000_000 * b"\xff"),
+)
 
 NINE = list(STRATEGIES)
 
@@ -90,6 +101,8 @@ class Load:
 
     Attributes:
         refusal: Status that such a request is meant to be refused with.
+        kind: The media type of its body.
+        pause: From an answer to the next request [s].
         statuses: Of the answers to them; 0 for those that were open at the end.
         times: Of the other client's runs [s].
         refused: How many of those were not answered with a result.
@@ -99,6 +112,8 @@ class Load:
     count: int
     request: Callable[[], Request]
     refusal: int = 200
+    kind: str = "application/json"
+    pause: float = 0.0
     statuses: Counter[int] = field(default_factory=Counter)
     times: list[float] = field(default_factory=list)
     refused: int = 0
@@ -119,12 +134,13 @@ async def keep_open(caller: Caller, load: Load, end: float) -> None:
     try:
         async with asyncio.timeout_at(end):
             while True:
-                status, headers, _ = await caller.call(*load.request())
+                status, headers, _ = await caller.call(*load.request(), kind=load.kind)
                 load.statuses[status] += 1
                 if status in (429, 503):
                     await asyncio.sleep(min(1.0, float(headers["retry-after"])))
                 else:
                     assert status < 400 or status == load.refusal, status
+                    await asyncio.sleep(load.pause)
     except TimeoutError:
         load.statuses[0] += 1
 
@@ -168,7 +184,12 @@ async def made(port: int, path: str, body: bytes, kind: str = "application/json"
 async def all_loads(ports: Ports) -> list[Load]:
     road = await made(ports[0], "roads", ROAD.encode(), "text/csv")
     long = await made(ports[0], "runs", post("runs", NINE, {"road": {"length": 1000}})[2])
-    link = json.dumps({"run_id": long, "view": {}}).encode()
+    link, files = json.dumps({"run_id": long, "view": {}}).encode(), itertools.cycle(NO_FILES)
+
+    def file() -> Request:
+        to, content = next(files)
+        return "POST", f"/api/v1/{to}", content
+
     loads = [
         Load("nothing else", 0, osqp),
         Load("plain runs", 64, lambda: ("POST", "/api/v1/runs", new_run())),
@@ -183,6 +204,8 @@ async def all_loads(ports: Ports) -> list[Load]:
         Load("reports", 16, lambda: ("GET", f"/api/v1/runs/{long}/report.html?baseline=lv", b"")),
         Load("links of nine time histories", 16, lambda: ("POST", "/api/v1/links", link)),
         Load("bodies of 0.9 MB, too long", 32, lambda: ("POST", "/api/v1/runs", b"[" * 900_000), refusal=413),
+        Load("files that are no roads and no drives", 8, file, refusal=422, kind="text/csv"),
+        Load("idle connections", 800, lambda: ("GET", "/healthz", b""), pause=SECONDS),
         Load("`/openapi.json`", 64, lambda: ("GET", "/openapi.json", b"")),
         Load("batches' lists", 64, lambda: ("GET", "/api/v1/batches?limit=50", b"")),
         Load("batches of 2,000 runs", 4, sweep),  # the last: they go on behind the next load

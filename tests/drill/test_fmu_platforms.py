@@ -16,48 +16,7 @@ from tests.servers.programs import find
 
 SCENARIO = Scenario.model_validate({"road": {"length": 20, "bump": {"start": 10, "width": 3, "height": 0.09}}})
 COLD = 1200.0  # ziglang may build the C libraries of other systems first, on a busy machine [s]
-DRIVER = r"""
-#include <fcntl.h>
-#include <io.h>
-#include <stdio.h>
-#include <windows.h>
-
-typedef struct { void *logger, *allocate, *release, *finished, *environment; } callbacks;
-
-int main(int count, char **arguments)
-{
-    HMODULE library = LoadLibraryA(arguments[1]);
-    if (count != 3 || !library)
-        return 2;
-#define GET(type, name, ...) \
-    type (*name)(__VA_ARGS__) = (type (*)(__VA_ARGS__))(void *)GetProcAddress(library, "fmi2" #name)
-    GET(void *, Instantiate, const char *, int, const char *, const char *, const callbacks *, int, int);
-    GET(int, SetupExperiment, void *, int, double, double, int, double);
-    GET(int, EnterInitializationMode, void *);
-    GET(int, ExitInitializationMode, void *);
-    GET(int, SetReal, void *, const unsigned *, size_t, const double *);
-    GET(int, GetReal, void *, const unsigned *, size_t, double *);
-    GET(int, DoStep, void *, double, double, int);
-    GET(int, Terminate, void *);
-    GET(void, FreeInstance, void *);
-    callbacks none = {0};
-    _setmode(_fileno(stdin), _O_BINARY);
-    _setmode(_fileno(stdout), _O_BINARY);
-    void *fmu = Instantiate("fmu", 1, arguments[2], "", &none, 0, 0);
-    if (!fmu || SetupExperiment(fmu, 0, 0, 0, 0, 0) || EnterInitializationMode(fmu) || ExitInitializationMode(fmu))
-        return 3;
-    const unsigned state[8] = {0, 1, 2, 3, 4, 5, 6, 7}, force[2] = {8, 9};
-    double x[8], u[2];
-    for (int step = 0; fread(x, sizeof x[0], 8, stdin) == 8; step++) {
-        if (SetReal(fmu, state, 8, x) || DoStep(fmu, step * 0.01, 0.01, 1) || GetReal(fmu, force, 2, u))
-            return 4;
-        fwrite(u, sizeof u[0], 2, stdout);
-    }
-    Terminate(fmu);
-    FreeInstance(fmu);
-    return 0;
-}
-"""
+DRIVER = Path(__file__).with_name("driver.c")
 
 
 class Watched(Lqr):
@@ -108,9 +67,8 @@ def test_there_is_a_library_for_every_platform_in_its_own_format(exported: Path)
 
 
 def test_the_one_for_windows_gives_our_forces_in_a_program_for_windows(exported: Path, tmp_path: Path) -> None:
-    source, program = tmp_path / "driver.c", tmp_path / "driver.exe"
-    source.write_text(DRIVER)
-    command = [*zig(), "-target", "x86_64-windows-gnu", "-O1", str(source), "-o", str(program)]
+    program = tmp_path / "driver.exe"
+    command = [*zig(), "-target", "x86_64-windows-gnu", "-O1", str(DRIVER), "-o", str(program)]
     assert compiled(command, compiler_cache(), COLD) is None
     Watched.seen = []
     simulate(SCENARIO, Watched)

@@ -24,64 +24,7 @@ LONGEST_LINE, MOST_OUTPUT = 400, 50_000  # of what is told of failures [characte
 
 PHASES = ["Examples", "Coverage", "Fuzzing", "Stateful"]
 
-# What JSON Schema cannot say about a good request: a bump has to lie on its road, horizons to fit each other, a sweep
-# and a link to have one of several forms, names in a list to be known, axles to carry more than their wheels, the
-# cost to be bearable. Those are 422.
-CONFIGURATION = """
-continue-on-failure = true
-checks.negative_data_rejection.expected-statuses = [
-    400, 401, 403, 404, 405, 406, 409, 414, 415, 422, 428, 429, "5xx",
-]
-
-[dictionaries.run]
-values = ["{run}"]
-
-[dictionaries.batch]
-values = ["{batch}"]
-
-[dictionaries.tuning]
-values = ["{tuning}"]
-
-[dictionaries.link]
-values = ["{link}"]
-
-[[operations]]
-include-operation-id = [
-    "createRun", "live", "solve", "frequency", "fuzzy", "createBatch", "createTuning", "resumeTuning", "createLink",
-    "getSeries", "getInstant", "getDifferences", "getBands", "getChanges", "getRunReport", "getBatchTable",
-    "getBatchSummary", "exportController", "reportController", "makeHalfCar", "createRoad",
-    "getPaper", "getPaperReadings", "getPaperAttribution", "getPaperFigures", "getPaperReport",
-    "getRun", "createRecording", "exportFmu",
-]
-checks.positive_data_acceptance.expected-statuses = ["2xx", 404, 409, 410, 422, 429, 503]
-
-[[operations]]
-include-path-regex = "/runs/\\\\{{id\\\\}}"
-parameters."path.id" = {{ dictionary = "run", probability = 0.5 }}
-
-[[operations]]
-include-path-regex = "/batches/\\\\{{id\\\\}}"
-parameters."path.id" = {{ dictionary = "batch", probability = 0.5 }}
-
-[[operations]]
-include-path-regex = "/tunings/\\\\{{id\\\\}}"
-parameters."path.id" = {{ dictionary = "tuning", probability = 0.5 }}
-
-[[operations]]
-include-path-regex = "/links/"
-parameters."path.slug" = {{ dictionary = "link", probability = 0.5 }}
-"""
-
-# Any readings on 20 to 99 roads are computed anew, a quarter of a minute for each request.
-FEW_OF_THE_PAPER = """
-[[operations]]
-include-operation-id = [
-    "getPaper", "getPaperReadings", "getPaperAttribution", "getPaperFigures", "getPaperReport",
-]
-generation.max-examples = 3
-phases.coverage.enabled = false
-"""
-
+CONFIGURATION = Path(__file__).with_name("schemathesis.toml")
 SCENARIO = {"road": {"length": 120, "bump": {"start": 80}}}
 
 
@@ -96,13 +39,15 @@ def seed(client: httpx.Client) -> dict[str, str]:
     link = _good(client.post("/api/v1/links", json={"run_id": run["id"], "view": {"baseline": "passive"}}))
     client.get(f"/api/v1/batches/{batch['id']}/events")  # a stream that ends with it
     assert _good(client.get(f"/api/v1/batches/{batch['id']}"))["state"] == "done"
-    return {"run": run["id"], "batch": batch["id"], "tuning": tuning["id"], "link": link["slug"]}
+    return {"RUN": run["id"], "BATCH": batch["id"], "TUNING": tuning["id"], "LINK": link["slug"]}
 
 
 def fuzz(client: httpx.Client, folder: Path, *arguments: str, phases: Sequence[str] = PHASES) -> None:
     """Run schemathesis against the service behind `client`, with more of its options; any failure is told in full."""
-    ids = seed(client)
-    (folder / "schemathesis.toml").write_text(CONFIGURATION.format(**ids) + FEW_OF_THE_PAPER)
+    configuration = CONFIGURATION.read_text()
+    for name, identifier in seed(client).items():
+        configuration = configuration.replace(f'"{name}"', f'"{identifier}"')
+    (folder / "schemathesis.toml").write_text(configuration)
     description = client.get("/openapi.json")  # made on the first request, for which schemathesis waits 10 s at most
     address = str(description.raise_for_status().url)
     command = [str(Path(sys.executable).parent / "schemathesis"), "--no-color", "--config-file", "schemathesis.toml"]

@@ -215,17 +215,6 @@ def test_a_link_has_the_scenario_in_the_current_schema(opened: Opened) -> None:
         assert (link["run"] or link["batch"])["scenario"] == link["scenario"]
 
 
-def test_a_links_page_tells_what_it_opens(service: Process) -> None:
-    page = service.client.get("/s/hBKXejHdSBjCho7R9Q-BsA")
-    assert page.status_code == 200
-    assert page.headers["content-type"] == "text/html; charset=utf-8"
-    assert page.headers["cache-control"] == "no-cache"
-    assert page.headers["x-robots-tag"] == "noindex"
-    assert "script-src 'self'" in page.headers["content-security-policy"]
-    assert "Ridelab core 0.4.0, 2026-11-2" in page.text
-    assert 'property="og:title" content="' in page.text
-
-
 def test_an_unfinished_batch_is_finished(opened: Opened) -> None:
     job = release.unfinished("batches")
     events = read_events(opened.client, f"/api/v1/batches/{job['id']}/events")
@@ -270,13 +259,3 @@ def test_an_unfinished_job_of_the_paper_page_holds_up_nothing(opened: Opened) ->
         assert len(new) == 1 or __version__ == release.VERSION
         for each in new:
             store.jobs.cancel(each.id)  # its rows would take a minute
-
-
-def test_what_tunings_submitted_is_not_listed(opened: Opened) -> None:
-    jobs = release.rows("jobs")
-    batches = {row["id"] for row in jobs if row["kind"] == "sweep"}
-    ours = {row["id"] for row in jobs if row["kind"] == "sweep" and row["parent_id"] is None}
-    tunings = {row["id"] for row in jobs if row["kind"] == "tuning"}
-    listed = {each["id"] for each in opened.client.get("/api/v1/batches?limit=500").json()["batches"]}
-    assert listed & batches == ours
-    assert {each["id"] for each in opened.client.get("/api/v1/tunings?limit=500").json()["tunings"]} >= tunings

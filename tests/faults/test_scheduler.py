@@ -27,7 +27,6 @@ from backend.jobs import chunk_cutter, dispatch, scheduler
 from backend.jobs.kind import JobSize, RunKeys
 from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.jobs.scheduler import Scheduler
-from backend.metrics import REGISTRY
 from backend.outcome import Outcome
 from backend.settings import Settings
 from backend.store import Store, StoredJob
@@ -368,14 +367,3 @@ def test_a_job_that_is_planned_for_ever_holds_up_no_other(tmp_path: Path) -> Non
     assert store.jobs.counts()["sweep", "planning"] == (1, 0)
     assert [job.id for job in store.jobs.unfinished()] == [long.id]
     store.close()
-
-
-def test_a_service_that_drives_no_more_tells_no_number_of_batches(tmp_path: Path) -> None:
-    def running() -> float | None:
-        return REGISTRY.get_sample_value("ridelab_batches", {"state": "running"})
-
-    def once_it_is_counted(chunk: Chunk) -> ChunkOutcome:
-        return answered(chunk) if running() == 1 else ChunkOutcome(error="busy")
-
-    drive(tmp_path, once_it_is_counted)
-    assert running() is None, "its last number would stay beside that of the service which drives now"

@@ -72,12 +72,3 @@ def test_a_start_that_waits_is_ended(tmp_path: Path, before: tuple[str, ...], se
             _, log = outside.communicate(timeout=HANG_TIMEOUT)
     assert outside.returncode == code
     assert "Traceback" not in log
-
-
-def test_a_start_is_ended_before_it_has_imported_anything_large(tmp_path: Path) -> None:
-    """Seconds pass until the server handles signals itself."""
-    early = "import signal, sys; from backend import __main__; sys.modules['backend.settings'] = None; "
-    show = "print(type(signal.getsignal(signal.SIGTERM)).__name__, 'uvicorn' in sys.modules, 'numpy' in sys.modules)"
-    code = f"{early}\ntry:\n  __main__.main(['--port', '0'])\nexcept ImportError:\n  {show}"
-    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, cwd=tmp_path)
-    assert ended.stdout.split() == ["_Ending", "False", "False"], ended.stderr

@@ -157,27 +157,6 @@ def test_what_cannot_be_sent_is_an_error_of_its_task_alone(do: Do) -> None:
     do(use)
 
 
-def test_a_reserved_worker_answers_while_one_client_has_long_runs() -> None:
-    async def use() -> None:
-        workers = Workers(1, timeout=HANG_TIMEOUT, warm_up=WARM_UP, reserved=1)
-        workers.start()
-        try:
-            async with asyncio.timeout(HANG_TIMEOUT):
-                while workers.load["idle"] < 2:
-                    await asyncio.sleep(0.05)
-                long = [
-                    asyncio.create_task(workers.call(time.sleep, 3600, client="greedy", cost=30.0)) for _ in range(3)
-                ]
-                await workers.call(os.getpid, client="other", cost=0.1)
-            assert workers.load["waiting"] == 2
-            for task in long:
-                task.cancel()
-        finally:
-            await workers.close()
-
-    loops.run(use)
-
-
 def test_a_worker_that_has_grown_is_replaced_while_it_serves() -> None:
     async def use() -> None:
         workers = Workers(1, timeout=HANG_TIMEOUT, warm_up=WARM_UP, max_memory=1)  # any is too large

@@ -56,8 +56,6 @@ class Count:
         refused: So many do not, by reason.
         not_finite: Which have a number that is none.
         ratios: Cost over estimate of each that ended.
-        most: Of a cost [s].
-        most_of: Whose that is.
         over: Which cost more than their bound.
     """
 
@@ -65,8 +63,6 @@ class Count:
     refused: Counter[str] = field(default_factory=Counter)
     not_finite: list[str] = field(default_factory=list)
     ratios: list[float] = field(default_factory=list)
-    most: float = 0.0
-    most_of: str = ""
     over: list[str] = field(default_factory=list)
 
 
@@ -88,8 +84,6 @@ def attack(seed: int, count: int, *, dear: bool = False) -> Count:
         counted.ended += 1
         counted.ratios.append(cost / expected)
         run = f"seed {seed}, number {number}, {strategy}, {scenario.mpc.solver}, {cost:.2f} s for {expected:.3f} s"
-        if cost > counted.most:
-            counted.most, counted.most_of = cost, run
         if cost > (LONGEST if dear else MAX_EFFORT if scenario.mpc.solver == "osqp" else CHEAP_BOUND):
             counted.over.append(run)
         bad = [key for key, value in numbers(result).items() if not np.isfinite(value)]

@@ -89,11 +89,3 @@ def test_a_run_has_one_thread_of_blas_and_the_host_has_its_own_back(
     monkeypatch.setattr(SIMULATE, "evaluate", seen)
     simulate(Scenario(), "passive")
     assert (during, threads(libraries)) == ([{1}], {3})
-
-    def failing(*_: Any) -> Any:
-        raise RuntimeError("a bug")
-
-    monkeypatch.setattr(SIMULATE, "evaluate", failing)
-    with pytest.raises(RuntimeError, match="a bug"):
-        simulate(Scenario(), "passive")
-    assert threads(libraries) == {3}

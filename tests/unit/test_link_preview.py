@@ -8,6 +8,7 @@ import pytest
 from backend.links import preview
 from backend.links.preview import Preview
 from sim_core.scenario import Scenario
+from tests import wording
 from tests.html import read
 
 WHEN = datetime(2026, 11, 21, 23, 59, tzinfo=UTC)
@@ -44,75 +45,39 @@ def head(text: str) -> tuple[list[str], dict[str, str]]:
     return [each.text for each in root.all("title")], tags
 
 
-def test_a_preview_has_the_main_numbers() -> None:
-    card = preview.of_run(run({"lv": entry(5.5, 2), "passive": entry(10, 8)}), {}, WHEN)
-    assert card.title == "LV control against passive: 45 % less peak body acceleration on the bump"
-    assert card.description == (
-        "LV control against passive: 45 % less peak body acceleration, 75 % less peak pitch acceleration on the bump; "
-        "bump 0.10 m × 4 m, 50 → 22.5 km/h; Ridelab core 0.1.0, 2026-11-21"
-    )
+MEMBERS = {"lv": entry(5, 2), "lqr": entry(10, 3), "passive": entry(10, 8)}
+MEASURED = run({}, height=0.1)
+MEASURED["scenario"]["road"]["profile"] = "pwida6DsrD3-Rq1gNrUpPD"
+LEVEL = run({}, height=0.0)
+LEVEL["scenario"]["road"]["profile"] = "pwida6DsrD3-Rq1gNrUpPD"
+FIELDS = [
+    {"name": "road.bump.height", "title": "Height", "unit": "m"},
+    {"name": "speed.target_speed_kmh", "title": "Target speed", "unit": "km/h"},
+]
+BATCH = {"state": "done", "total": 12000, "failed": 0, "strategies": ["lv", "passive"], "core_version": "0.1.0"}
+FAILED = {"status": "failed", "reason": "x"}
+CARDS = {
+    "a run": preview.of_run(run(MEMBERS), {}, WHEN),
+    "against LQR": preview.of_run(run(MEMBERS), {"baseline": "lqr"}, WHEN),
+    "against LV": preview.of_run(run(MEMBERS), {"baseline": "lv"}, WHEN),
+    "of some strategies": preview.of_run(run(MEMBERS), {"strategies": ["lqr", "lv"]}, WHEN),
+    "with LV hidden": preview.of_run(run(MEMBERS), {"hidden": ["lv"]}, WHEN),
+    "with all hidden": preview.of_run(run(MEMBERS), {"hidden": ["lv", "lqr", "passive"]}, WHEN),
+    "against what did not run": preview.of_run(run(MEMBERS), {"baseline": "speed_only"}, WHEN),
+    "a measured road": preview.of_run(LEVEL, {}, WHEN),
+    "a bump on a measured road": preview.of_run(MEASURED, {}, WHEN),
+    "without strategies": preview.of_run(run({}), {}, WHEN),
+    "failed": preview.of_run(run({"lv": FAILED}), {}, WHEN),
+    "without these metrics": preview.of_run(run({"lv": {"status": "ok", "metrics": {"other": {}}}}), {}, WHEN),
+    "a batch that runs": preview.of_batch({**BATCH, "fields": FIELDS, "state": "running", "failed": 3}, WHEN),
+    "a batch over many fields": preview.of_batch({**BATCH, "fields": FIELDS * 3}, WHEN),
+    "a batch that is planned": preview.of_batch({**BATCH, "state": "planning", "total": None, "fields": None}, WHEN),
+}
 
 
-@pytest.mark.parametrize(
-    ("view", "title"),
-    [
-        ({"baseline": "lqr"}, "LV control against LQR: 50 % less peak body acceleration on the bump"),
-        ({"baseline": "lv"}, "LQR against LV control: 100 % more peak body acceleration on the bump"),
-        ({"strategies": ["lqr", "lv"]}, "LQR against passive: the same peak body acceleration on the bump"),
-        ({"hidden": ["lv"]}, "LQR against passive: the same peak body acceleration on the bump"),
-        (
-            {"hidden": ["lv", "lqr", "passive"]},
-            "LV control against passive: 50 % less peak body acceleration on the bump",
-        ),
-        ({"baseline": "speed_only"}, "LV control: peak body acceleration 5 m/s² on the bump"),
-    ],
-)
-def test_the_preview_names_what_the_view_compares(view: dict[str, Any], title: str) -> None:
-    members = {"lv": entry(5, 2), "lqr": entry(10, 3), "passive": entry(10, 8)}
-    assert preview.of_run(run(members), view, WHEN).title == title
-
-
-@pytest.mark.parametrize(("height", "road"), [(0.0, "measured road"), (0.1, "measured road, bump 0.10 m × 4 m")])
-def test_a_measured_road_is_called_so(height: float, road: str) -> None:
-    shown = run({}, height=height)
-    shown["scenario"]["road"]["profile"] = "pwida6DsrD3-Rq1gNrUpPD"
-    assert preview.of_run(shown, {}, WHEN).description.startswith(f"{road}, 50 → 22.5 km/h; ")
-
-
-@pytest.mark.parametrize(
-    "strategies", [{}, {"lv": {"status": "failed", "reason": "x"}}, {"lv": {"status": "ok", "metrics": {"other": {}}}}]
-)
-def test_a_run_without_those_figures_still_has_a_preview(strategies: dict[str, Any]) -> None:
-    card = preview.of_run(run(strategies), {}, WHEN)
-    assert card.title == "A stored run"
-    assert "0.10 m" in card.description
-
-
-def test_a_batch_tells_how_many_runs_over_what() -> None:
-    fields = [
-        {"name": "road.bump.height", "title": "Height", "unit": "m"},
-        {"name": "speed.target_speed_kmh", "title": "Target speed", "unit": "km/h"},
-    ]
-    batch = {
-        "state": "running",
-        "total": 12000,
-        "failed": 3,
-        "strategies": ["lv", "passive"],
-        "core_version": "0.1.0",
-        "fields": fields,
-    }
-    card = preview.of_batch(batch, WHEN)
-    assert card.title == "12 000 runs over bump height × target speed"
-    assert card.description == (
-        "12 000 runs over bump height × target speed: LV control, Passive; running; 3 failed; "
-        "Ridelab core 0.1.0, 2026-11-21"
-    )
-    done = preview.of_batch({**batch, "state": "done", "failed": 0, "fields": fields * 3}, WHEN)
-    assert done.title.endswith("× …")
-    assert "done" not in done.description
-    planning = preview.of_batch({**batch, "state": "planning", "total": None, "fields": None, "failed": 0}, WHEN)
-    assert planning.title == "A sweep"
-    assert planning.description == "A sweep: LV control, Passive; planning; Ridelab core 0.1.0, 2026-11-21"
+@pytest.mark.parametrize("shared", CARDS)
+def test_a_preview_names_what_the_view_compares_with_its_main_numbers(shared: str) -> None:
+    wording.check("link_previews", shared, [CARDS[shared].title, CARDS[shared].description])
 
 
 def test_the_page_gets_one_title_one_description_and_a_card() -> None:

@@ -82,12 +82,3 @@ def test_another_catalogue_reads_what_it_knows(stages: dict[str, SamplingHints],
     assert list(answer["series"]) == list(answer["units"]) == shared
     text = exports.render_pinned({"lv": old}, stages, export(strategies=["lv"], file_format="csv"), None).decode()
     assert text.splitlines()[0].split(",") == [f"{key} [{SIGNALS[key].unit}]" for key in shared]
-
-
-def test_without_its_reader_an_old_pin_says_what_to_install(
-    stages: dict[str, SamplingHints], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    old = rewritten({"time": np.zeros(3, np.float32)}, {"time": "s"})
-    monkeypatch.setattr(pins, "find_spec", lambda name: None)
-    with pytest.raises(pins.ParquetPinError, match="pip install pyarrow"):
-        pins.opened({"lv": old}, stages, None)

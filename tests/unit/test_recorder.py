@@ -80,39 +80,26 @@ def test_sections_are_the_sum_of_their_fine_steps(fine: int, ends: list[list[flo
         np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-15)
 
 
-@pytest.mark.parametrize("acting", [(1, 1), (0, 0.1), (0.1, 0)], ids=["both", "rear", "front"])
+@pytest.mark.parametrize("axles", [(1, 1), (0, 0.1), (0.1, 0)], ids=["both", "rear", "front"])
 @pytest.mark.parametrize("fine", [1, 4])
-def test_power_and_time_in_the_air_are_trapezoids_up_to_the_last_place(fine: int, acting: tuple[float, float]) -> None:
-    table, last = default_rng(fine).normal(size=(8, fine + 1, SIGNALS)), 6.7 * fine
-    table[:, :, 8:] *= acting  # forces of less than 1 N, too
-    result = measured(table, np.array([[0.0, fine], [fine, last]]))
-    power = np.abs(table[:, :, 8] * table[:, :, 0]) + np.abs(table[:, :, 9] * table[:, :, 1])
-    totals = result.totals
-    np.testing.assert_allclose(
-        [totals["power"], totals["peak_power"]], in_section("value", power, 0.0, last), rtol=1e-12
-    )
-    lifted = table[:, :, 4:6] <= -STATIC
-    assert lifted.any(axis=(0, 1)).all()
-    kinds = lifted.any(axis=2), lifted[:, :, 0], lifted[:, :, 1]
-    expected = [in_section("value", kind.astype(float), 0.0, last)[0] for kind in kinds]
-    airborne = [totals["airborne"], totals["front_airborne"], totals["rear_airborne"]]
-    np.testing.assert_allclose(airborne, expected, rtol=1e-12)
-
-
-@pytest.mark.parametrize("moving", [(1, 1), (0, 1), (1, 0)], ids=["both", "rear", "front"])
-@pytest.mark.parametrize("fine", [1, 4])
-def test_time_on_the_stops_is_that_of_either_suspension_beyond_the_clearance(
-    fine: int, moving: tuple[float, float]
+def test_power_and_times_in_the_air_and_on_the_stops_are_trapezoids_up_to_the_last_place(
+    fine: int, axles: tuple[float, float]
 ) -> None:
-    table, last = default_rng(fine).normal(size=(8, fine + 1, SIGNALS)), 6.7 * fine
-    table[:, :, 6:8] *= moving
+    """Of forces and deflections of both axles, or of one of them; forces of less than 1 N, too."""
+    table, last, clearance = default_rng(fine).normal(size=(8, fine + 1, SIGNALS)), 6.7 * fine, 1.2
+    table[:, :, 8:] *= axles
+    table[:, :, 6:8] *= np.sign(axles)
     ends = np.array([[0.0, fine], [fine, last]])
-    beyond = (np.abs(table[:, :, 6:8]) > 1.2).any(axis=2)
-    assert 0 < beyond.sum() < beyond.size
-    expected = in_section("value", beyond.astype(float), 0.0, last)[0]
-    assert measured(table, ends, clearance=np.full((2, 2), 1.2)).totals["on_stops"] == pytest.approx(
-        expected, rel=1e-12
-    )
+    totals = measured(table, ends, clearance=np.full((2, 2), clearance)).totals
+    power = np.abs(table[:, :, 8] * table[:, :, 0]) + np.abs(table[:, :, 9] * table[:, :, 1])
+    expected = in_section("value", power, 0.0, last)
+    assert (totals["power"], totals["peak_power"]) == pytest.approx(expected, rel=1e-12)
+    lifted = table[:, :, 4:6] <= -STATIC
+    lasting = {"airborne": lifted.any(axis=2), "front_airborne": lifted[:, :, 0], "rear_airborne": lifted[:, :, 1]}
+    lasting["on_stops"] = (np.abs(table[:, :, 6:8]) > clearance).any(axis=2)
+    for name, there in lasting.items():
+        assert 0 < there.sum() < there.size
+        assert totals[name] == pytest.approx(in_section("value", there.astype(float), 0.0, last)[0], rel=1e-12), name
     assert measured(table, ends).totals["on_stops"] == 0, "there are none"
 
 
