@@ -25,13 +25,21 @@ USER 0
 RUN chmod 444 /etc/haproxy.cfg /etc/haproxy-docker.cfg
 USER 99:99
 
-# The runtime's packages, each held to its hash, and the program.
+# Its database, whose first start makes the service's role.
+FROM postgres:15-bookworm AS database
+COPY backend/deploy/database.sh /usr/local/bin/
+USER 0
+RUN chmod 555 /usr/local/bin/database.sh
+USER 999:999
+
+# The runtime's packages, each held to its hash and without its tests, and the program.
 FROM python:3.11-slim AS program
 WORKDIR /build
-RUN python -m venv /opt/ridelab
+RUN python -m venv --without-pip /opt/ridelab
 COPY requirements-cluster.lock requirements-ecu.lock ./
-RUN /opt/ridelab/bin/python -m pip install --no-cache-dir --disable-pip-version-check --require-hashes \
-    -r requirements-cluster.lock -r requirements-ecu.lock
+RUN python -m pip --python /opt/ridelab/bin/python install --no-cache-dir --disable-pip-version-check --require-hashes \
+    -r requirements-cluster.lock -r requirements-ecu.lock \
+    && find /opt/ridelab -depth \( -type d \( -name tests -o -name test \) -o -name '*.a' \) -not -path '*/ziglang/*' -exec rm -r {} +
 COPY sim_core/kernel/ sim_core/kernel/
 COPY sim_core/ecu/source/ sim_core/ecu/source/
 RUN /opt/ridelab/bin/python sim_core/kernel/build.py .

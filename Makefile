@@ -44,6 +44,8 @@ check-python: development
 	nice -n 19 $(BIN)/mypy  # without its own workers: one that starts late on a busy machine ends the check
 	nice -n 19 $(BIN)/lint-imports
 	cd client && nice -n 19 ../$(BIN)/lint-imports
+	$(BIN)/hadolint Dockerfile
+	$(BIN)/check-jsonschema --quiet --builtin-schema vendor.compose-spec docker-compose.yml
 
 check-frontend: frontend/node_modules/.checked
 # On nothing but these files: what passed is not looked at again.
@@ -157,14 +159,14 @@ COMPILE_LOCK := uv pip compile --quiet --universal --python-version 3.11 --gener
 	--no-emit-package ridelab-core --no-emit-package ridelab
 lock: ## new lock files, without download addresses
 	$(COMPILE_LOCK) --extra parquet pyproject.toml -o requirements.lock
-	$(COMPILE_LOCK) --extra parquet --extra cluster pyproject.toml -o requirements-cluster.lock
+	$(COMPILE_LOCK) --extra cluster pyproject.toml -o requirements-cluster.lock
 	$(COMPILE_LOCK) --group build -o requirements-build.lock
 	$(COMPILE_LOCK) --group manual -o requirements-manual.lock
 	$(COMPILE_LOCK) --group ecu -o requirements-ecu.lock
 	$(COMPILE_LOCK) --group clients -o requirements-clients.lock
 	$(COMPILE_LOCK) --extra parquet --extra cluster --extra ecu --group dev --group build --group manual pyproject.toml -o requirements-dev.lock
 
-pin: ## base images by digest, in Dockerfile and docker-compose.yml; needs docker and its registry
+pin: ## base images by digest, in the Dockerfile; needs docker and its registry
 	backend/deploy/pin_images.sh
 
 # By setuptools itself, beside which nothing is installed; a platform's wheel has the core's C compiled by zig. Platforms side

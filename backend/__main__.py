@@ -79,7 +79,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 class _Ending:
-    """What SIGTERM does before the server handles it, and after that one has ended in order.
+    """What SIGTERM does before the server handles it, and when the server hands it on after its end.
 
     The kernel has no default action for process 1, as which a container starts a service.
     """
@@ -88,10 +88,10 @@ class _Ending:
         self.in_order = False
 
     def __call__(self, sig: int, _: object) -> None:
-        """End at once; after the server only as the default action does, so that process 1 returns its exit code."""
-        signal.signal(sig, signal.SIG_DFL)
-        signal.raise_signal(sig)
+        """End at once; do nothing after a server that has ended in order, whose exit code is 0."""
         if not self.in_order:
+            signal.signal(sig, signal.SIG_DFL)
+            signal.raise_signal(sig)
             os._exit(TERMINATED)
 
 

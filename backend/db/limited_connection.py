@@ -7,6 +7,7 @@ import psycopg
 from psycopg.abc import RV, PQGen
 
 CONNECT_TIMEOUT = 5  # [s]
+SLOW = 0.5  # a failure to connect that took longer is as one of a server that does not answer [s]
 # To a statement of an ordinary transaction. The server's own limit is less, so that it speaks first where it can [s].
 ANSWER_TIMEOUT = 8.0
 
@@ -31,12 +32,18 @@ class LimitedConnection(psycopg.Connection[Any]):
         """As psycopg's.
 
         Raises:
-            NoAnswerError: The server did not answer within `CONNECT_TIMEOUT`.
+            NoAnswerError: The server did not answer within `CONNECT_TIMEOUT`, or it took long to find that there is
+                none: the name of a container that is away, say.
         """
+        begun = time.monotonic()
         try:
             return super().connect(*args, connect_timeout=CONNECT_TIMEOUT, **kwargs)
         except psycopg.errors.ConnectionTimeout:
             raise NoAnswerError(f"The server has not taken a connection within {CONNECT_TIMEOUT} s") from None
+        except psycopg.OperationalError as error:
+            if time.monotonic() < begun + SLOW:
+                raise
+            raise NoAnswerError(str(error)) from None
 
     def wait(self, gen: PQGen[RV], interval: float = 0.1, timeout: float | None = None) -> RV:
         """As psycopg's, which everything that waits for the server goes through.

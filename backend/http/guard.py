@@ -1,5 +1,6 @@
 """The outermost layer: security headers on every answer, and an answer even where the service has a bug."""
 
+import asyncio
 import logging
 from collections.abc import Collection, Iterable
 from urllib.parse import urlsplit
@@ -54,7 +55,9 @@ MATCHED = ("route", "root_path", "app_root_path")  # what routing leaves in a sc
 
 
 class GuardMiddleware:
-    """Adds the headers, answers HEAD where GET is, and turns an unforeseen exception into a 500 problem.
+    """Adds the headers, answers HEAD where GET is, and an unforeseen exception with a 500 problem.
+
+    What the service cannot wait for when it ends is answered with a 503.
 
     Args:
         app: ASGI.
@@ -95,6 +98,10 @@ class GuardMiddleware:
             await (self._check_head(scope) or self.app)(inner, receive, guarded)
         except ClientDisconnect:
             return  # nobody is left to answer
+        except asyncio.CancelledError:  # the service ends and could wait no longer for what this waits for
+            if started:
+                raise
+            await problem("unavailable", headers={"Retry-After": "2"})(inner, receive, guarded)
         except Exception:
             logger.exception("An unforeseen error")
             if started:

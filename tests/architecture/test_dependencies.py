@@ -27,7 +27,7 @@ RUNTIME, EXTRAS = [*CORE, *CLIENT, *SERVER], PYPROJECT["project"]["optional-depe
 GROUPS = PYPROJECT["dependency-groups"]
 LOCKS = {
     "requirements.lock": [*RUNTIME, *EXTRAS["parquet"]],
-    "requirements-cluster.lock": [*RUNTIME, *EXTRAS["parquet"], *EXTRAS["cluster"]],
+    "requirements-cluster.lock": [*RUNTIME, *EXTRAS["cluster"]],
     "requirements-build.lock": GROUPS["build"],
     "requirements-manual.lock": GROUPS["manual"],
     "requirements-ecu.lock": EXTRAS["ecu"],

@@ -7,18 +7,19 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
 
+import psycopg
 import pytest
 from sqlalchemy import make_url
 
 from backend.db import limited_connection
-from backend.db.limited_connection import LimitedConnection
+from backend.db.limited_connection import LimitedConnection, NoAnswerError
 from backend.settings import Settings
 from backend.store import Store
 from tests.api.conftest import Service, serve
 from tests.servers.batches import wait_for
 from tests.servers.forwarder import DIRECTIONS, Direction, Forwarder
 from tests.servers.postgres import Postgres
-from tests.servers.process import wait_until
+from tests.servers.process import reserved_port, wait_until
 
 SHORT = {"road": {"length": 121.3, "bump": {"start": 80}}}
 ASKING = 12  # more than there are threads for the database
@@ -82,6 +83,19 @@ def test_a_server_that_waits_gives_up_before_its_client(url: str) -> None:
         statement, idle = connection.exec_driver_sql(limits.format(names) + " ORDER BY name DESC").scalars()
     assert 0 < statement < LimitedConnection.answer_timeout
     assert idle > 0
+
+
+def test_a_server_that_is_found_away_only_after_a_while_fails_what_queues_behind(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """As the name of a container that is away: else each would wait as long, one after the other."""
+    refused = {"host": "127.0.0.1", "port": reserved_port()}
+    with pytest.raises(psycopg.OperationalError) as at_once:
+        LimitedConnection.connect(**refused)
+    assert not isinstance(at_once.value, NoAnswerError)
+    monkeypatch.setattr(limited_connection, "SLOW", 0.0)
+    with pytest.raises(NoAnswerError, match="refused"):
+        LimitedConnection.connect(**refused)
 
 
 def test_what_may_take_long_is_waited_for_and_only_that(url: str, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -7,12 +7,15 @@ import signal
 import sqlite3
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import psutil
 import pytest
 
 from tests.client.cli import environment
+from tests.faults.conftest import Process
+from tests.faults.test_batches import HEAVY
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
 
@@ -72,3 +75,18 @@ def test_a_start_that_waits_is_ended(tmp_path: Path, before: tuple[str, ...], se
             _, log = outside.communicate(timeout=HANG_TIMEOUT)
     assert outside.returncode == code
     assert "Traceback" not in log
+
+
+def test_whom_an_end_in_order_cannot_wait_for_is_told_to_come_again(tmp_path: Path) -> None:
+    """Not uvicorn's own 500 in plain text; and such an end is no failure."""
+    with Process(tmp_path, "ends") as service, ThreadPoolExecutor(1) as pool:
+        service.wait_until_ready()
+        asked = pool.submit(service.client.post, "/api/v1/runs", json={"scenario": HEAVY, "strategies": ["lv"]})
+        service.wait_for_busy()
+        code = service.terminate()
+        answer = asked.result()
+    assert (answer.status_code, answer.headers["content-type"]) == (503, "application/problem+json"), answer.text
+    assert answer.json()["type"].endswith(":unavailable")
+    assert int(answer.headers["retry-after"]) > 0
+    assert code == 0
+    assert "Traceback" not in service.log

@@ -14,7 +14,7 @@ from tests.servers.process import ROOT, Ends, Program, reserved_port, wait_until
 from tests.servers.programs import make_secrets
 
 COMPOSE: dict[str, Any] = yaml.safe_load((ROOT / "docker-compose.yml").read_text())
-VARIABLE = re.compile(r"\$\{(\w+):-([^}]*)\}")
+VARIABLE = re.compile(r"\$\{(\w+):-([^{}]*)\}")  # with its default, which has no other variable inside
 
 
 class Topology(Ends):
@@ -94,7 +94,8 @@ class Topology(Ends):
             "--port=8786": f"--port={self._scheduler_port}",
             "127.0.0.1:8787": "127.0.0.1:0",
         }
-        value = VARIABLE.sub(lambda match: self._variables.get(match[1], match[2]), value)
+        while VARIABLE.search(value):
+            value = VARIABLE.sub(lambda match: self._variables.get(match[1], match[2]), value)
         return re.sub("|".join(map(re.escape, here)), lambda match: here[match[0]], value)
 
     def _image_command(self) -> Any:
