@@ -32,6 +32,17 @@ USER 0
 RUN chmod 555 /usr/local/bin/database.sh
 USER 999:999
 
+# The core's library, and the programs of FMUs for every platform. The compiler stays here.
+FROM python:3.11-slim AS compiled
+WORKDIR /build
+COPY requirements-ecu.lock ./
+RUN python -m pip install --no-cache-dir --disable-pip-version-check --require-hashes -r requirements-ecu.lock
+COPY sim_core/kernel/ sim_core/kernel/
+COPY sim_core/ecu/source/ sim_core/ecu/source/
+RUN python sim_core/kernel/build.py .
+COPY backend/fmu/ backend/fmu/
+RUN python backend/fmu/programs.py all
+
 # The runtime's packages, each held to its hash and without its tests, and the program.
 FROM python:3.11-slim AS program
 WORKDIR /build
@@ -40,15 +51,13 @@ COPY requirements-cluster.lock requirements-ecu.lock ./
 RUN python -m pip --python /opt/ridelab/bin/python install --no-cache-dir --disable-pip-version-check --require-hashes \
     -r requirements-cluster.lock -r requirements-ecu.lock \
     && find /opt/ridelab -depth \( -type d \( -name tests -o -name test \) -o -name '*.a' \) -not -path '*/ziglang/*' -exec rm -r {} +
-COPY sim_core/kernel/ sim_core/kernel/
-COPY sim_core/ecu/source/ sim_core/ecu/source/
-RUN /opt/ridelab/bin/python sim_core/kernel/build.py .
 
 # Whatever umask the checkout has, everybody may read it.
 WORKDIR /app
 COPY sim_core/ sim_core/
-RUN cp /build/libridelab*.so.1 sim_core/kernel/
+COPY --from=compiled /build/libridelab*.so.1 sim_core/kernel/
 COPY backend/ backend/
+COPY --from=compiled /build/backend/fmu/binaries/ backend/fmu/binaries/
 COPY client/ridelab/ ridelab/
 COPY --from=frontend /build/dist frontend/dist/
 COPY --from=manual /build/build/manual build/manual/

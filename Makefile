@@ -16,7 +16,7 @@ unexport PYTHONDONTWRITEBYTECODE
 MAKEFLAGS += --jobs=3  # packages and page side by side; the tests beside both halves of the checks, which give way to them
 .DELETE_ON_ERROR:  # a half-made page or manual is made again
 
-.PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust nearest figures manual setup development compiler lock pin dist dist-empty dist-rest clean
+.PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust nearest figures manual setup development binaries compiler lock pin dist dist-empty dist-rest clean
 
 run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
@@ -27,7 +27,7 @@ test: development ## everything: style, types, import rules, all tests, browser 
 suite: development ## the tests alone
 	$(BIN)/python -m pytest tests --ignore tests/drill $(PYTEST)
 
-drill: development $(VENV)/clients/.installed ## at length: new random scenarios, kills in sixty lives, load, fuzzing, costs; DRILL_KILLS= and DRILL_SEED= change it
+drill: binaries $(VENV)/clients/.installed ## at length: new random scenarios, kills in sixty lives, load, fuzzing, costs; DRILL_KILLS= and DRILL_SEED= change it
 	THOROUGH=1 HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/validation tests/faults/test_release.py --numprocesses 2
 	THOROUGH=1 $(BIN)/python -m pytest tests/browser
 	THOROUGH=1 $(BIN)/python -m pytest tests -m thorough --ignore tests/browser --ignore tests/drill --ignore tests/validation
@@ -92,10 +92,13 @@ figures: development ## the figures of the manual again, from the lines below th
 
 manual: build/manual/index.html ## the manual as pages in build/manual; the service has them at /manual/
 
-setup: $(VENV)/.runtime $(BIN)/ridelab frontend/dist/index.html build/manual/index.html ## all that running needs
+setup: $(VENV)/.runtime $(BIN)/ridelab $(VENV)/.programs frontend/dist/index.html build/manual/index.html ## all that running needs
 
 development: OMIT :=
 development: setup $(VENV)/.development frontend/node_modules/.development ## and what tests need
+
+binaries: development ## the programs of FMUs for every platform, by the compiler that the wheels are made with; `make setup` has made this machine's
+	$(BIN)/python backend/fmu/programs.py all
 
 compiler: $(VENV)/.ecu ## a C compiler (400 MB), for the ECU's own processor, and where the machine has none
 
@@ -132,6 +135,10 @@ $(KERNEL): $(wildcard sim_core/kernel/*.[ch] sim_core/ecu/source/*.[ch]) sim_cor
 $(BIN)/ridelab: pyproject.toml setup.py client/pyproject.toml sim_core/pyproject.toml sim_core/setup.py $(KERNEL) $(VENV)/.runtime  # the three distributions, from their folders
 	@command -v cc || command -v gcc || command -v clang || $(MAKE) $(VENV)/.ecu
 	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index -e sim_core -e client -e .
+	touch $@
+
+$(VENV)/.programs: backend/fmu/programs.py $(wildcard backend/fmu/source/*.[ch] sim_core/kernel/*.[ch] sim_core/ecu/source/*.[ch]) $(BIN)/ridelab  # of FMUs
+	$(BIN)/python backend/fmu/programs.py
 	touch $@
 
 OMIT := --omit=dev  # what only tests and checks of the page need
@@ -180,7 +187,7 @@ dist: $(foreach each,$(PLATFORMS),dist-core-$(firstword $(subst :, ,$(each)))) d
 dist-empty: development
 	rm -rf dist build/lib build/bdist.* client/build sim_core/build && mkdir dist
 
-dist-rest: dist-empty
+dist-rest: dist-empty binaries
 	$(BIN)/python backend/deploy/sbom.py > build/sbom.cdx.json
 	for each in sim_core client .; do (cd $$each && $(BUILD_BACKEND) build_sdist) > build/log || exit 1; done
 	for each in client .; do (cd $$each && $(BUILD_BACKEND) build_wheel) > build/log || exit 1; done

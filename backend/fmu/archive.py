@@ -6,16 +6,10 @@ from collections.abc import Sequence
 
 from backend.custom_controllers.registry import run_in_sandbox_process
 from backend.ecu.export import zipped
-from backend.fmu.binaries import PLATFORMS, binaries
+from backend.fmu import programs
 from backend.fmu.controller import controller_model
-from backend.fmu.description import (
-    Version,
-    build_description,
-    compiled_files,
-    documentation,
-    model_description,
-)
-from backend.fmu.model import Model, sources, variables_header
+from backend.fmu.description import Version, build_description, documentation, model_description
+from backend.fmu.model import Model, resources
 from backend.fmu.vehicle import vehicle_model
 from sim_core.ecu.sources import SOURCES as ECU_SOURCES
 from sim_core.scenario import Scenario
@@ -24,9 +18,9 @@ LICENCE = ECU_SOURCES.parent.parent / "LICENSE"
 
 
 def fmu(
-    scenario: Scenario, strategy: str, of: str, version: Version, platforms: Sequence[str] = tuple(PLATFORMS)
+    scenario: Scenario, strategy: str, of: str, version: Version, platforms: Sequence[str] = tuple(programs.PLATFORMS)
 ) -> bytes:
-    """The scenario's controller or vehicle as an FMU.
+    """Return the scenario's controller or vehicle as an FMU.
 
     Raises:
         UnknownNameError: No such strategy.
@@ -41,18 +35,26 @@ def fmu(
 
 
 def _zipped(model: Model, scenario: Scenario, version: Version, platforms: Sequence[str]) -> bytes:
-    own = {**model.sources, **sources([f"fmi{version[0]}.c"])}
-    token = "{" + hashlib.sha256(repr((version, model, sorted(own.items()))).encode()).hexdigest()[:32] + "}"
-    own["ridelab_variables.h"] = variables_header(model, token)
-    built, missing = binaries(model.name, own, compiled_files(model, version), version, platforms)
+    sources = programs.sources(model.kind, version)
+    content_hash = hashlib.sha256(repr((version, sorted(sources.items()))).encode() + resources(model, ""))
+    token = f"{{{content_hash.hexdigest()[:32]}}}"
+    files = {wanted: programs.binary(model.kind, version, wanted) for wanted in platforms}
+    missing = [wanted for wanted, file in files.items() if not file.is_file()]
     plain = json.dumps(scenario.model_dump(mode="json"), indent=1) + "\n"
     licence = "documentation/license.txt" if version == "2.0" else "documentation/licenses/license.txt"
     content = {
         "modelDescription.xml": model_description(model, version, token),
-        **built,
-        **{f"sources/{name}": text.encode() for name, text in sorted(own.items())},
+        **{
+            f"binaries/{wanted if version == '2.0' else programs.PLATFORMS[wanted].name}/{model.name}{file.suffix}": (
+                file.read_bytes()
+            )
+            for wanted, file in files.items()
+            if wanted not in missing
+        },
+        **{f"sources/{name}": text.encode() for name, text in sorted(sources.items())},
         "documentation/index.html": documentation(model, missing),
         licence: LICENCE.read_bytes(),
+        "resources/numbers.bin": resources(model, token),
         "resources/scenario.json": plain.encode(),
     }
     if version == "3.0":

@@ -2,13 +2,12 @@
 
 import numpy as np
 
-from backend.ecu import export
-from backend.fmu.model import Model, Variable, array, sources
+from backend.fmu.model import Model, Variable, array
 from sim_core import Controller, EcuController, FloatArray, RidelabError, Scenario, Setup
 from sim_core.control.cost import KILO
 from sim_core.control.law import LAW_INPUTS, LinearLaw
-from sim_core.ecu.channels import PREVIEW, SENSORS
-from sim_core.ecu.sources import SOURCES as ECU_SOURCES
+from sim_core.ecu.calibration import Calibration
+from sim_core.ecu.channels import PREVIEW, SENSORS, highest_code
 from sim_core.simulate import on_dummy_road, prepare
 from sim_core.strategies import strategy_named
 from sim_core.strategies.lv import Lv
@@ -109,30 +108,32 @@ def _program_model(controller: EcuController, setup: Setup) -> Model:
         RidelabError: There is no stabilising controller.
     """
     calibration = controller.calibration(setup)
-    full_scale = ", ".join(repr(channel.full_scale) for channel in (*SENSORS, *PREVIEW))
     iterations = Variable(
         name="iterations", causality="parameter", description="The solver stops after so many", whole=True,
         start=calibration.iterations, least=0,
     )  # fmt: skip
     return Model(
+        kind="ecu",
         name=f"ridelab_{controller.id}",
         description=f"{controller.label}: {controller.description()}",
         variables=[_stage(), *state("input"), *preview(setup.preview_steps), *forces(), iterations,
                    period(setup.sample_time)],
-        sources={
-            **sources(("model.h", "instance.h", "sampled.h", "program.c")),
-            **sources(export.CONTROLLER, ECU_SOURCES),
-            **export.generated(calibration),
-            "ridelab_converters.h": f"/* Generated. */\nstatic const double full_scale[] = {{{full_scale}}};\n",
-        },
-        sizes={
-            "SAMPLE_TIME": setup.sample_time,
-            "PREVIEWED": setup.preview_steps,
-            "FORCE_OF_CODE": calibration.command_step * KILO,
-        },
+        numbers=_ecu_numbers(calibration, setup),
         step=setup.sample_time,
         notes=[_ORDER, _ECU],
     )  # fmt: skip
+
+
+def _ecu_numbers(calibration: Calibration, setup: Setup) -> FloatArray:
+    """Return what source/program.c takes; the tables in single precision."""
+    whole = calibration.intervals, calibration.row_count, calibration.predicts, highest_code(calibration.bits)
+    single = [calibration.command_step, calibration.slack_price, calibration.inverse_slack_weight]
+    tables = [calibration.input_steps, calibration.A, calibration.B, calibration.E, calibration.bounds]
+    tables += [each for stage in calibration.stages for each in (stage.rows, stage.gram)]
+    rounded = np.concatenate([single, *map(np.ravel, tables)]).astype(np.float32)
+    full_scale = [channel.full_scale for channel in (*SENSORS, *PREVIEW)]
+    own = [setup.preview_steps, setup.sample_time, calibration.command_step * KILO, *full_scale]
+    return np.concatenate([own, whole, calibration.axles, rounded])
 
 
 def _stage() -> Variable:
@@ -168,15 +169,12 @@ def _law_model(controller: Controller, setup: Setup) -> Model:
     )  # fmt: skip
     gains = [each for law, prefix in zip(laws, prefixes, strict=True) for each in _gains(law, prefix)]
     return Model(
+        kind="law",
         name=f"ridelab_{controller.id}",
         description=f"{controller.label}: {controller.description()}",
         variables=[*([_stage()] if len(laws) > 1 else []), *state("input"), *preview(steps), *forces(), limit, *gains,
                    period(setup.sample_time)],
-        sources={
-            **sources(("model.h", "instance.h", "sampled.h", "law.c")),
-            "ridelab_gains.h": _preview_gains(laws, steps),
-        },
-        sizes={"SAMPLE_TIME": setup.sample_time, "PREVIEWED": steps, "LAWS": len(laws)},
+        numbers=np.concatenate([[len(laws), steps, setup.sample_time], *(_preview_gain(law, steps) for law in laws)]),
         step=setup.sample_time,
         notes=[_ORDER],
     )  # fmt: skip
@@ -195,19 +193,9 @@ def _gains(law: LinearLaw, prefix: str) -> list[Variable]:
     ]  # fmt: skip
 
 
-def _preview_gains(laws: list[LinearLaw], steps: int) -> str:
-    if not steps:
-        return "/* Generated. Nothing is previewed. */\n"
-    gains = [np.zeros((2, 3 * steps)) if law.preview_gain is None else law.preview_gain for law in laws]
-    text = ", ".join(f"{{{', '.join(_row(row) for row in gain)}}}" for gain in gains)
-    return (
-        "/* Generated. Of both forces on the front road's velocities [N.s/m], the rear's, the braking [N.s2/m]. */\n"
-        f"static const double preview_gain[LAWS][2][{3 * steps}] = {{{text}}};\n"
-    )
-
-
-def _row(row: FloatArray) -> str:
-    return f"{{{', '.join(map(repr, row.tolist()))}}}"
+def _preview_gain(law: LinearLaw, steps: int) -> FloatArray:
+    """Return what both forces take of the previewed roads' velocities, front and rear, and of the braking."""
+    return np.zeros(6 * steps) if law.preview_gain is None else law.preview_gain.ravel()
 
 
 assert len(_STATE) + 2 == LAW_INPUTS  # noqa: S101 - two lists of one state

@@ -1,9 +1,11 @@
 """modelDescription.xml of FMI 2.0 and 3.0, and what else describes an FMU in its zip."""
 
 import xml.etree.ElementTree as ET
+from collections.abc import Sequence
 from html import escape
 from typing import Literal
 
+from backend.fmu import programs
 from backend.fmu.model import Model, Variable
 from sim_core import __version__
 
@@ -80,19 +82,23 @@ def build_description(model: Model, version: Version) -> bytes:
 
 
 def compiled_files(model: Model, version: Version) -> list[str]:
-    """The C files that are compiled; the others are included."""
-    return sorted([*(name for name in model.sources if name.endswith(".c")), f"fmi{version[0]}.c"])
+    """Return the C files that are compiled; the others are included."""
+    return sorted(name for name in programs.sources(model.kind, version) if name.endswith(".c"))
 
 
-def documentation(model: Model, missing: dict[str, str]) -> bytes:
-    """`documentation/index.html`; `missing` says why a platform's binary is not inside."""
+def documentation(model: Model, missing: Sequence[str]) -> bytes:
+    """Return `documentation/index.html`; `missing` are the platforms of which no binary is inside."""
     rows = "".join(
         f"<tr><td><code>{each.name}</code><td>{each.causality}<td>{escape(each.unit)}"
         f"<td>{'' if each.causality == 'output' else f'{each.start:g}'}<td>{escape(each.description)}"
         for each in model.variables
     )
-    notes = [*model.notes, *(f"No binary for {platform}: {reason}." for platform, reason in missing.items())]
+    reason = "it was not compiled where this FMU was made; in a checkout of Ridelab `make binaries` compiles it"
+    notes = [*model.notes, *(f"No binary for {platform}: {reason}." for platform in missing)]
     notes.append("The sources are inside; any C11 compiler builds them, without another file.")
+    notes.append(
+        "The program reads this FMU's numbers from resources/numbers.bin, which sources/resources.h describes."
+    )
     return (
         f'<!doctype html><html lang="en"><meta charset="utf-8"><title>{model.name}</title>'
         f"<h1>{escape(model.description)}</h1>{''.join(f'<p>{escape(note)}</p>' for note in notes)}"

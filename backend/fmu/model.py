@@ -1,13 +1,16 @@
-"""What is inside an FMU of any version: variables by name, C sources, and the C that says where each variable is."""
+"""What is inside an FMU of any version: variables by name, and the numbers that its program reads."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+import struct
+import zlib
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Literal
+from typing import Literal, get_args
 
-SOURCES = Path(__file__).parent / "source"
-Causality = Literal["input", "output", "parameter", "constant"]
-_LETTER = {"input": "i", "output": "o", "parameter": "p", "constant": "c"}
+import numpy as np
+
+from sim_core.arrays import FloatArray
+
+Causality = Literal["input", "output", "parameter", "constant"]  # in the order of source/resources.h
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,25 +38,25 @@ class Variable:
     most: float | None = None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Model:
-    """One model.
+    """A model, which is a program and the numbers that it reads.
 
     Attributes:
+        kind: Which program it is, one of `programs.KINDS`.
         name: Of its files, a C identifier.
         description: In words.
         variables: In the order of their value references.
-        sources: C text by file name, headers too.
-        sizes: Macros of the C that says where variables are.
+        numbers: What its program takes from its resources, in the order of its C.
         step: Communication step that suits it [s].
         notes: Paragraphs for whoever uses it.
     """
 
+    kind: str
     name: str
     description: str
     variables: Sequence[Variable]
-    sources: Mapping[str, str]
-    sizes: Mapping[str, float]
+    numbers: FloatArray
     step: float
     notes: Sequence[str]
 
@@ -69,25 +72,20 @@ def array(
         )
 
 
-def sources(names: Iterable[str], folder: Path = SOURCES) -> dict[str, str]:
-    """C files of a folder by name."""
-    return {name: (folder / name).read_text(encoding="utf-8") for name in names}
-
-
-def variables_header(model: Model, token: str) -> str:
-    """`ridelab_variables.h`: where each variable is, what it is, what it begins with."""
-    places: dict[str, int] = {}
-    for place, variable in enumerate(model.variables):
-        places.setdefault(f"V_{variable.name.partition('[')[0].upper()}", place)
-    enumerators = ", ".join(f"{name} = {place}" for name, place in places.items())
-    marks = {
-        "RIDELAB_CAUSALITY": "".join(_LETTER[each.causality] for each in model.variables),
-        "RIDELAB_WHOLE": "".join(str(int(each.whole)) for each in model.variables),
-        "RIDELAB_TOKEN": token,
-    }
-    lines = ["/* Generated. */", "#ifndef RIDELAB_VARIABLES_H", "#define RIDELAB_VARIABLES_H", ""]
-    lines += [f'#define {name} "{text}"' for name, text in marks.items()]
-    lines += [f"#define {name} {value!r}" for name, value in model.sizes.items()]
-    lines.append(f"#define RIDELAB_START {{{', '.join(repr(float(each.start)) for each in model.variables)}}}")
-    lines += [f"enum {{ {enumerators}, VARIABLES = {len(model.variables)} }};", "", "#endif", ""]
-    return "\n".join(lines)
+def resources(model: Model, token: str) -> bytes:
+    """Return `resources/numbers.bin` as source/resources.h describes it."""
+    variables = model.variables
+    causalities = get_args(Causality)
+    text = "".join(f"{each}\0" for each in (token, *(variable.name for variable in variables))).encode()
+    text += bytes(-len(text) % 8)
+    numbers = np.concatenate(
+        [
+            [len(variables)],
+            [causalities.index(each.causality) for each in variables],
+            [each.whole for each in variables],
+            [each.start for each in variables],
+            model.numbers,
+        ]
+    )
+    body = struct.pack("<I", len(text)) + text + numbers.astype("<f8").tobytes()
+    return b"RIDELAB1" + struct.pack("<I", zlib.crc32(body)) + body

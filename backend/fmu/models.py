@@ -16,5 +16,5 @@ class FmuRequest(RequestModel):
     of: Literal["controller", "vehicle"] = Field("controller", description="What the FMU is")
     version: Literal["2.0", "3.0"] = Field("2.0", description="Of FMI for co-simulation")
     platforms: list[Literal["linux64", "win64", "darwin64"]] = Field(
-        ["linux64", "win64", "darwin64"], description="For which it is compiled, as far as that is possible"
+        ["linux64", "win64", "darwin64"], description="Whose programs are inside, as far as the service has them"
     )

@@ -8,7 +8,7 @@ from backend.fmu.models import FmuRequest
 from backend.gate import Gate
 from backend.roads.service import MeasuredRoads
 
-COST = 2.0  # of describing and compiling one [s of one core]
+COST = 0.3  # of designing and describing one [s of one core]
 
 
 @dataclass(eq=False, kw_only=True)

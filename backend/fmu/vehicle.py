@@ -2,10 +2,10 @@
 
 from typing import Any
 
+import numpy as np
+
 from backend.fmu.controller import state
-from backend.fmu.model import Model, Variable, sources
-from sim_core.kernel.build import FOLDER
-from sim_core.kernel.library import size_of
+from backend.fmu.model import Model, Variable
 from sim_core.scenario import Scenario, Vehicle
 from sim_core.vehicle.nonlinear import curves, substeps
 
@@ -36,12 +36,6 @@ _ROAD = (
 _DAMPERS = (
     "A damper has a curve, so both are constants here: front_damping, rear_damping and rebound_ratio change nothing."
 )
-_CURVES = (
-    "/* Generated. Of each damper: how many points its curve has, 0 for none; velocities [m/s]; forces [N]. */\n"
-    "static const double curves[] = {{{}}};\n"
-    "/* How much further than the believed car's its body's weight compresses front and rear suspension [m]. */\n"
-    "static const double lowered[] = {{{}}};\n"
-)
 
 
 def vehicle_model(scenario: Scenario) -> Model:
@@ -63,17 +57,11 @@ def vehicle_model(scenario: Scenario) -> Model:
         if not name.endswith("damper_curve")
     ]
     return Model(
+        kind="vehicle",
         name="ridelab_vehicle",
         description="Half-car with its suspension, tyres and actuators",
         variables=[*inputs, *state("output"), *outputs, *fields, *own],
-        sources={
-            **sources(("model.h", "instance.h", "vehicle.c")),
-            **sources(("car.c", "record.c", "road.c", "loop.h", "numbers.h", "qp.h", "record.h", "road.h"), FOLDER),
-            "ridelab_curves.h": _CURVES.format(
-                *(", ".join(map(repr, each)) for each in (curves(vehicle).tolist(), vehicle.lowered))
-            ),
-        },
-        sizes={"VEHICLE_NUMBERS": size_of("vehicle")},
+        numbers=np.array([*vehicle.lowered, *curves(vehicle)]),
         step=1e-3,
         notes=[_ROAD] if vehicle.damper_curves is None else [_ROAD, _DAMPERS],
     )

@@ -214,7 +214,7 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
             strategy: Id of the strategy whose controller it is.
             of: `controller` or `vehicle`.
             version: Of FMI, `2.0` or `3.0`.
-            platforms: For which it is compiled, as far as the service can.
+            platforms: Whose programs are inside, as far as the service has them.
         """
         body = {"scenario": scenario, "strategy": strategy, "of": of, "version": version, "platforms": [*platforms]}
         return self._http.send("POST", f"{API}/fmus", body=body).content

@@ -10,7 +10,7 @@ typedef struct { void *logger, *allocate, *release, *finished, *environment; } c
 int main(int count, char **arguments)
 {
     HMODULE library = LoadLibraryA(arguments[1]);
-    if (count != 3 || !library)
+    if (count != 4 || !library)
         return 2;
 #define GET(type, name, ...) \
     type (*name)(__VA_ARGS__) = (type (*)(__VA_ARGS__))(void *)GetProcAddress(library, "fmi2" #name)
@@ -26,7 +26,7 @@ int main(int count, char **arguments)
     callbacks none = {0};
     _setmode(_fileno(stdin), _O_BINARY);
     _setmode(_fileno(stdout), _O_BINARY);
-    void *fmu = Instantiate("fmu", 1, arguments[2], "", &none, 0, 0);
+    void *fmu = Instantiate("fmu", 1, arguments[2], arguments[3], &none, 0, 0);
     if (!fmu || SetupExperiment(fmu, 0, 0, 0, 0, 0) || EnterInitializationMode(fmu) || ExitInitializationMode(fmu))
         return 3;
     const unsigned state[8] = {0, 1, 2, 3, 4, 5, 6, 7}, force[2] = {8, 9};

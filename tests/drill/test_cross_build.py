@@ -29,6 +29,6 @@ def test_the_image_has_the_library_that_the_core_asks_for(tmp_path: Path) -> Non
     (command,) = re.findall(r"^RUN (\S+ sim_core/kernel/build\.py .*)\n", dockerfile, re.MULTILINE)
     for copied in re.findall(r"^COPY (sim_core/\S+/) \1$", dockerfile, re.MULTILINE):
         shutil.copytree(ROOT / copied, tmp_path / copied)
-    here = command.replace("/opt/ridelab/bin/python", sys.executable)
+    here = command.replace("python", sys.executable, 1)
     subprocess.run(["sh", "-c", here], cwd=tmp_path, check=True)
     load(tmp_path / "libridelab.so.1", build.digest())  # an ImportError otherwise

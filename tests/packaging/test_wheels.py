@@ -80,6 +80,8 @@ def test_each_distribution_is_typed_and_only_the_cores_belongs_to_a_platform(whe
         assert f"{package}/setup.py" not in files, "what builds it is no part of it"
         (licence,) = [file for file in files if file.endswith(".dist-info/licenses/LICENSE")]
         assert wheel.read(licence) == (ROOT / "LICENSE").read_bytes()
+    programs = {file.name for file in (ROOT / "backend/fmu/binaries/linux64").iterdir()}
+    assert programs == {Path(each).name for each in ZipFile(wheels["ridelab-server"]).namelist() if "/linux64/" in each}
     tags = {name: path.stem.split("-")[2:] for name, path in wheels.items()}
     assert tags["ridelab"] == tags["ridelab-server"] == ["py3", "none", "any"]
     assert tags["ridelab-core"][:2] == ["py3", "none"], "its library needs no Python headers"

@@ -1,8 +1,14 @@
 """FMUs that leave Ridelab: FMPy validates and runs them, and they give what our own runs give."""
 
 import io
+import random
+import re
+import struct
 import subprocess
 import zipfile
+import zlib
+from collections.abc import Callable
+from contextlib import suppress
 from copy import copy
 from pathlib import Path
 from typing import Any
@@ -12,10 +18,13 @@ import numpy as np
 import pytest
 from fmpy.validation import validate_fmu
 
-from backend.ecu.build import compilers
+from backend.fmu import programs
 from backend.fmu.archive import fmu
 from backend.fmu.description import Version
 from sim_core import STRATEGIES, Controller, FloatArray, RidelabError, Scenario, Seen, Setup, simulate
+from sim_core.fmi.archive import unpack
+from sim_core.fmi.instance import Instance
+from sim_core.kernel.build import default_compiler
 from sim_core.simulate import prepare
 from sim_core.strategies.lv_hil import LvHil
 from sim_core.vehicle.make import make_vehicle
@@ -212,5 +221,87 @@ def test_the_functions_are_the_standards_own_by_its_headers(version: Version, tm
     strict = ["-std=c11", "-Wall", "-Wextra", "-Werror", "-Wno-unused-parameter", "-fsyntax-only"]
     files = [str(file) for file in (tmp_path / "sources").glob("*.c")]
     for more in ([], ["-DRIDELAB_STANDARD_HEADERS", f"-I{headers}"]):
-        run = subprocess.run([*compilers()[0], *strict, *more, *files], check=False, capture_output=True, text=True)
+        run = subprocess.run([*default_compiler(), *strict, *more, *files], check=False, capture_output=True, text=True)
         assert (run.returncode, run.stderr) == (0, "")
+
+
+KINDS = (("lqr", "controller"), ("lv", "controller"), ("lqr", "vehicle"))  # a program each
+
+
+@pytest.mark.parametrize("version", ["2.0", "3.0"])
+@pytest.mark.parametrize(("strategy", "of"), KINDS)
+def test_its_sources_build_the_program_that_is_inside(version: Version, strategy: str, of: str, tmp_path: Path) -> None:
+    """By another optimisation; with what the description lists, and the numbers that are beside them."""
+    file = exported(tmp_path, Scenario.model_validate(SMALL), version, strategy, of)
+    given, built = Importer(file, tmp_path / "given"), Importer(file, tmp_path / "built")
+    (library,) = (tmp_path / "built" / "binaries").rglob("*.so")
+    named = "buildDescription.xml" if version == "3.0" else "../modelDescription.xml"
+    files = re.findall(r'File name="(\w+\.c)"', (tmp_path / "built" / "sources" / named).read_text())
+    command = [*default_compiler(), "-std=c11", "-O1", "-ffp-contract=off", "-fPIC", "-shared", "-o", str(library)]
+    library.unlink()
+    subprocess.run([*command, *files, "-lm"], cwd=tmp_path / "built" / "sources", check=True)
+    outputs = []
+    for importer in (given, built):
+        with importer.run():
+            importer.step(0, 0.01, {"state[1]": 0.02} if of == "controller" else {"road_front": 0.02})
+            outputs.append(importer.get(FORCES if of == "controller" else STATE))
+    assert outputs[0] == outputs[1]
+    assert any(outputs[0])
+
+
+def sealed(content: bytes) -> bytes:
+    """Numbers with a checksum that fits them."""
+    return content[:8] + struct.pack("<I", zlib.crc32(content[12:])) + content[12:]
+
+
+DAMAGES: dict[str, Callable[[bytes], bytes | None]] = {
+    "is not there": lambda _: None,
+    "is empty": lambda _: b"",
+    "is cut": lambda content: content[:-8],
+    "has another bit": lambda content: content[:-9] + bytes([content[-9] ^ 1]) + content[-8:],
+    "is cut and sealed": lambda content: sealed(content[:-8]),
+    "is longer": lambda content: sealed(content + bytes(8)),
+    "has a text beyond its end": lambda content: sealed(content[:12] + struct.pack("<I", 2**32 - 8) + content[16:]),
+    "has no number": lambda content: sealed(content[:-8] + struct.pack("<d", float("nan"))),
+}
+
+
+@pytest.mark.parametrize(("strategy", "of"), KINDS)
+def test_damaged_numbers_are_an_error_and_never_a_crash(strategy: str, of: str, tmp_path: Path) -> None:
+    """Named damages, then numbers by chance under a checksum that fits: it drives, or says why there is no instance."""
+    content = fmu(Scenario.model_validate(SMALL), strategy, of, "3.0", ["linux64"])
+    description, _, library = unpack(content)
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        archive.extractall(tmp_path)
+    numbers = tmp_path / "resources" / "numbers.bin"
+    whole = numbers.read_bytes()
+
+    def end(damaged: bytes | None) -> None:
+        numbers.unlink(missing_ok=True)
+        if damaged is not None:
+            numbers.write_bytes(damaged)
+        instance = Instance(description, tmp_path, library, "It")
+        instance.begin([])
+        instance.step(0, 0.01)
+        instance.end()
+
+    end(whole)
+    for name, damage in DAMAGES.items():
+        print(f"the file {name}")
+        with pytest.raises(RidelabError, match=r"It: the FMU made no instance \(numbers.bin"):
+            end(damage(whole))
+    chance, first = random.Random(1), 16 + int.from_bytes(whole[12:16], "little")  # noqa: S311
+    for _ in range(300):
+        place = first + 8 * chance.randrange((len(whole) - first) // 8)
+        number = struct.pack("<d", chance.choice([-1.0, 0.0, 0.5, 1e9, 1e300, float(chance.randrange(100))]))
+        with suppress(RidelabError):
+            end(sealed(whole[:place] + number + whole[place + 8 :]))
+
+
+def test_one_without_a_platforms_binary_says_what_makes_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(programs, "BINARIES", tmp_path)
+    with zipfile.ZipFile(io.BytesIO(fmu(Scenario(), "lqr", "controller", "2.0"))) as archive:
+        assert not any(name.startswith("binaries/") for name in archive.namelist())
+        said = archive.read("documentation/index.html").decode()
+    assert [f"No binary for {each}: " in said for each in programs.PLATFORMS] == [True] * 3
+    assert "`make binaries` compiles it" in said

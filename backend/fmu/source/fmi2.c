@@ -59,7 +59,7 @@ RIDELAB_EXPORT void fmi2FreeInstance(fmi2Component c)
     struct fmu *me = c;
     if (!me)
         return;
-    free(me->instance.memory);
+    release(&me->instance);
     free(me->name);
     free(me);
 }
@@ -68,7 +68,7 @@ RIDELAB_EXPORT fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi
                                              const fmi2CallbackFunctions *callbacks, fmi2Boolean visible,
                                              fmi2Boolean logging)
 {
-    (void)resources, (void)visible, (void)logging;
+    (void)visible, (void)logging;
     struct fmu *me = calloc(1, sizeof *me);
     if (!me)
         return NULL;
@@ -80,10 +80,12 @@ RIDELAB_EXPORT fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi
     const char *wrong = NULL;
     if (type != fmi2CoSimulation)
         wrong = "It is for co-simulation alone";
-    else if (!token || strcmp(token, RIDELAB_TOKEN) != 0)
-        wrong = "The GUID is that of another FMU";
-    else if (!me->name || !prepare(&me->instance))
+    else if (!me->name)
         wrong = "There is not enough memory";
+    else
+        wrong = prepare(&me->instance, resources);
+    if (!wrong && (!token || strcmp(token, me->instance.resources.token) != 0))
+        wrong = "The GUID is that of another FMU";
     if (told(me, wrong) == fmi2OK)
         return me;
     fmi2FreeInstance(me);

@@ -64,7 +64,7 @@ RIDELAB_EXPORT void fmi3FreeInstance(fmi3Instance instance)
     struct fmu *me = instance;
     if (!me)
         return;
-    free(me->instance.memory);
+    release(&me->instance);
     free(me);
 }
 
@@ -73,19 +73,16 @@ RIDELAB_EXPORT fmi3Instance fmi3InstantiateCoSimulation(
     fmi3Boolean early_return, const fmi3ValueReference intermediate[], size_t count, fmi3InstanceEnvironment environment,
     fmi3LogMessageCallback log, fmi3IntermediateUpdateCallback update)
 {
-    (void)name, (void)resources, (void)visible, (void)logging, (void)early_return, (void)intermediate, (void)update;
+    (void)name, (void)visible, (void)logging, (void)early_return, (void)intermediate, (void)update;
     struct fmu *me = calloc(1, sizeof *me);
     if (!me)
         return NULL;
     me->environment = environment;
     me->log = log;
-    const char *wrong = NULL;
-    if (events || count)
-        wrong = "It has neither event mode nor intermediate variables";
-    else if (!token || strcmp(token, RIDELAB_TOKEN) != 0)
+    const char *wrong = events || count ? "It has neither event mode nor intermediate variables"
+                                        : prepare(&me->instance, resources);
+    if (!wrong && (!token || strcmp(token, me->instance.resources.token) != 0))
         wrong = "The instantiation token is that of another FMU";
-    else if (!prepare(&me->instance))
-        wrong = "There is not enough memory";
     if (told(me, wrong) == fmi3OK)
         return me;
     fmi3FreeInstance(me);
@@ -154,7 +151,7 @@ RIDELAB_EXPORT fmi3Status fmi3GetFloat64(fmi3Instance instance, const fmi3ValueR
     struct fmu *me = instance;
     const char *wrong = uneven(count, values);
     for (size_t i = 0; i < count && !wrong; i++)
-        if (reference[i] == VARIABLES) /* the independent one */
+        if (reference[i] == me->instance.resources.variables) /* the independent one */
             value[i] = me->instance.time;
         else
             wrong = get_number(&me->instance, reference[i], 0, value + i);

@@ -20,39 +20,51 @@ enum phase { INSTANTIATED, INITIALIZING, STEPPING, TERMINATED };
 
 struct instance {
     enum phase phase;
-    double time, value[VARIABLES];
+    double time, *value;
+    struct resources resources;
     void *memory;
 };
 
 static inline void begin_again(struct instance *me)
 {
-    static const double start[VARIABLES] = RIDELAB_START;
     me->phase = INSTANTIATED;
     me->time = 0;
-    memcpy(me->value, start, sizeof start);
-    memset(me->memory, 0, model_memory_bytes);
+    memcpy(me->value, me->resources.start, me->resources.variables * sizeof *me->value);
 }
 
-/* 0 where there is no memory. */
-static inline int prepare(struct instance *me)
+/* Read its numbers from the FMU's folder of resources. */
+static inline const char *prepare(struct instance *me, const char *resources)
 {
-    me->memory = malloc(model_memory_bytes);
-    if (me->memory)
-        begin_again(me);
-    return me->memory != NULL;
+    const char *wrong = ridelab_read(&me->resources, resources);
+    if (wrong)
+        return wrong;
+    me->value = malloc(me->resources.variables * sizeof *me->value);
+    me->memory = model_prepare(&me->resources);
+    if (!ridelab_is_whole(&me->resources))
+        return "numbers.bin in the FMU's resources folder is of another program";
+    if (!me->value || !me->memory)
+        return "There is not enough memory";
+    begin_again(me);
+    return NULL;
 }
 
-static inline const char *unusual(unsigned reference, int whole)
+static inline void release(struct instance *me)
 {
-    static const char is_whole[VARIABLES + 1] = RIDELAB_WHOLE;
-    if (reference >= VARIABLES)
+    free(me->memory);
+    free(me->value);
+    ridelab_forget(&me->resources);
+}
+
+static inline const char *unusual(const struct instance *me, unsigned reference, int whole)
+{
+    if (reference >= me->resources.variables)
         return "There is no variable of this value reference";
-    return (is_whole[reference] == '1') == whole ? NULL : "The variable is of another type";
+    return (me->resources.whole[reference] == 1) == whole ? NULL : "The variable is of another type";
 }
 
 static inline const char *get_number(struct instance *me, unsigned reference, int whole, double *number)
 {
-    const char *wrong = unusual(reference, whole);
+    const char *wrong = unusual(me, reference, whole);
     if (wrong)
         return wrong;
     if (me->phase == INITIALIZING)
@@ -63,13 +75,13 @@ static inline const char *get_number(struct instance *me, unsigned reference, in
 
 static inline const char *set_number(struct instance *me, unsigned reference, int whole, double number)
 {
-    static const char causality[VARIABLES + 1] = RIDELAB_CAUSALITY;
-    const char *wrong = unusual(reference, whole);
+    const char *wrong = unusual(me, reference, whole);
     if (wrong)
         return wrong;
     if (!isfinite(number))
         return "A value is not finite";
-    if (causality[reference] == 'p' ? me->phase > INITIALIZING : causality[reference] != 'i')
+    double causality = me->resources.causality[reference];
+    if (causality == CAUSALITY_PARAMETER ? me->phase > INITIALIZING : causality != CAUSALITY_INPUT)
         return "Only inputs can be set, and parameters before the first step";
     me->value[reference] = number;
     return NULL;
@@ -79,7 +91,7 @@ static inline const char *enter(struct instance *me, enum phase from, enum phase
 {
     if (me->phase != from)
         return "The function is not allowed at this moment";
-    if (to == STEPPING)
+    if (from == INITIALIZING)
         model_begin(me->value, me->memory);
     me->phase = to;
     return NULL;

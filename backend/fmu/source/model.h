@@ -2,12 +2,10 @@
 #ifndef RIDELAB_MODEL_H
 #define RIDELAB_MODEL_H
 
-#include <stddef.h>
+#include "resources.h"
 
-#include "ridelab_variables.h" /* generated: VARIABLES, the place V_... of each or of an array's first, what they are and begin with */
-
-/* Bytes that a model keeps from step to step, all of them 0 at the beginning. */
-extern const size_t model_memory_bytes;
+/* What a model keeps from step to step, to be freed; it takes its numbers, which outlive it. NULL where there is no memory. */
+void *model_prepare(struct resources *from);
 
 /* The outputs before the first step, from the parameters and the first inputs; called again where these change. */
 void model_begin(double *value, void *memory);

@@ -1,13 +1,14 @@
-/* What sampled controllers share: their control steps begin every SAMPLE_TIME seconds, whatever the communication steps
+/* What sampled controllers share: their control steps begin every `sample_time` seconds, whatever the communication steps
    are, and each takes the inputs of the communication step in which it begins. */
 #ifndef RIDELAB_SAMPLED_H
 #define RIDELAB_SAMPLED_H
 
 #include "model.h"
 
-enum { MOST_CONTROL_STEPS = 100000 }; /* in one communication step */
+enum { MOST_CONTROL_STEPS = 100000, MOST_PREVIEWED = 1000 }; /* in one communication step; control steps ahead */
 
 struct control_steps {
+    double sample_time;  /* [s] */
     double first, count; /* when the first one began [s]; how many have begun */
 };
 
@@ -16,25 +17,42 @@ static inline int next_control_step(struct control_steps *me, double time, doubl
 {
     if (me->count == 0)
         me->first = time;
-    if (me->first + me->count * SAMPLE_TIME >= time + step - 1e-6 * SAMPLE_TIME)
+    if (me->first + me->count * me->sample_time >= time + step - 1e-6 * me->sample_time)
         return 0;
     me->count++;
     return 1;
 }
 
-#if PREVIEWED > 0
-/* Both roads' mean velocities in each coming control step from the heights at their ends, then the braking. */
-static inline void expected(const double *value, double *disturbances)
+/* Where the preview's inputs are: the roads' heights now, and of each coming control step. */
+struct preview {
+    int steps;
+    size_t now, front, rear, braking;
+};
+
+static inline struct preview find_preview(struct resources *from)
 {
-    double front = value[V_ROAD_FRONT], rear = value[V_ROAD_REAR];
-    for (int i = 0; i < PREVIEWED; i++) {
-        disturbances[i] = (value[V_PREVIEW_FRONT + i] - front) / SAMPLE_TIME;
-        disturbances[PREVIEWED + i] = (value[V_PREVIEW_REAR + i] - rear) / SAMPLE_TIME;
-        disturbances[2 * PREVIEWED + i] = value[V_BRAKING + i];
-        front = value[V_PREVIEW_FRONT + i];
-        rear = value[V_PREVIEW_REAR + i];
+    int steps = ridelab_take_whole(from, 0, MOST_PREVIEWED);
+    struct preview me = {.steps = steps};
+    if (steps > 0) {
+        me.now = ridelab_place(from, "road_front", 2);
+        me.front = ridelab_place(from, "preview_front[1]", (size_t)steps);
+        me.rear = ridelab_place(from, "preview_rear[1]", (size_t)steps);
+        me.braking = ridelab_place(from, "braking[1]", (size_t)steps);
+    }
+    return me;
+}
+
+/* Both roads' mean velocities in each coming control step from the heights at their ends, then the braking. */
+static inline void expected(const struct preview *me, const double *value, double sample_time, double *disturbances)
+{
+    double front = value[me->now], rear = value[me->now + 1];
+    for (int i = 0; i < me->steps; i++) {
+        disturbances[i] = (value[me->front + (size_t)i] - front) / sample_time;
+        disturbances[me->steps + i] = (value[me->rear + (size_t)i] - rear) / sample_time;
+        disturbances[2 * me->steps + i] = value[me->braking + (size_t)i];
+        front = value[me->front + (size_t)i];
+        rear = value[me->rear + (size_t)i];
     }
 }
-#endif
 
 #endif

@@ -10,7 +10,7 @@ from ridelab.cli.service import Services
 
 _OUT = "Write it there; - is stdout."
 _STRATEGY = "Strategy whose controller it is."
-_PLATFORM = "Compile for linux64, win64 or darwin64 alone, with commas or repeated; all three by default."
+_PLATFORM = "With the program for linux64, win64 or darwin64 alone, with commas or repeated; all three by default."
 _FMI = "Version of the Functional Mock-up Interface."
 _PLATFORMS = ("linux64", "win64", "darwin64")
 
@@ -26,9 +26,9 @@ def fmu(
     changes: options.Changes = None,
     as_json: options.AsJson = False,
 ) -> None:
-    """Export a controller, or the vehicle, as an FMU for co-simulation, with its C and what could be compiled of it.
+    """Export a controller, or the vehicle, as an FMU for co-simulation, with its C and programs.
 
-    The exit code is 1 where it could be compiled for no platform.
+    The exit code is 1 where there is a program for no platform.
     """
     if fmi not in ("2.0", "3.0"):
         raise InputError("--fmi is 2.0 or 3.0")

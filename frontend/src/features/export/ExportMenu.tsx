@@ -202,7 +202,7 @@ function FmuDialog({ strategies, first, scenario, onClose }: Props) {
     <Modal opened onClose={onClose} title="Export an FMU">
       <Text c="dimmed" size="sm">
         For co-simulation in Simulink, CarMaker, Modelica tools and Python, with the C sources and programs for Linux,
-        Windows and macOS as far as the service can compile them. The first one may take a minute.
+        Windows and macOS as far as the service has them.
       </Text>
       <Group gap="xs" align="flex-end" my="sm">
         <Select
