@@ -1,12 +1,10 @@
 """What there is to choose from, as plain JSON: the scenario's schema, the catalogue, strategies, presets, vehicles."""
 
-from dataclasses import fields
+from dataclasses import asdict
 from typing import Any
 
-from pydantic import BaseModel
-
 from sim_core import catalogue as names
-from sim_core.comparison.vehicle_facts import vehicle_facts
+from sim_core.comparison.vehicle_cautions import vehicle_facts
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.data_sheet import DataSheet
 from sim_core.scenario.presets import PRESETS
@@ -27,7 +25,7 @@ def catalogue() -> Json:
     """Return everything that has a name and a unit, and which signals have metrics and which the paper compares."""
     keys = {"metric_signals": list(names.METRIC_SIGNALS), "paper_signals": list(names.PAPER_SIGNALS)}
     lists = {name: getattr(names, name.upper()) for name in _QUANTITIES}
-    return {name: [_plain(each) for each in items.values()] for name, items in lists.items()} | keys
+    return {name: [asdict(each) for each in items.values()] for name, items in lists.items()} | keys
 
 
 def strategies() -> list[Json]:
@@ -37,16 +35,9 @@ def strategies() -> list[Json]:
 
 def presets() -> list[Json]:
     """Return every preset, the paper's first."""
-    return [_plain(each) for each in PRESETS.values()]
+    return [each.model_dump(mode="json") for each in PRESETS.values()]
 
 
 def vehicles() -> list[Json]:
     """Return every vehicle with its sources, characteristics and cautions."""
-    return [_plain(each) | vehicle_facts(each.vehicle) for each in VEHICLES.values()]
-
-
-def _plain(entry: Any) -> Json:
-    values = {each.name: getattr(entry, each.name) for each in fields(entry)}
-    return {
-        name: each.model_dump(mode="json") if isinstance(each, BaseModel) else each for name, each in values.items()
-    }
+    return [each.model_dump(mode="json") | vehicle_facts(each.vehicle) for each in VEHICLES.values()]

@@ -7,7 +7,7 @@ from backend.json_types import JsonObject
 from backend.library import answers
 from backend.library.models import Catalogue, HalfCarAnswer, PresetAnswer, ProblemAnswer, StrategyAnswer, VehicleAnswer
 from backend.models import Figures
-from sim_core.comparison.vehicle_facts import vehicle_facts
+from sim_core.comparison.vehicle_cautions import vehicle_facts
 from sim_core.scenario.data_sheet import DataSheet
 
 library = router("schema")

@@ -1,10 +1,9 @@
 """A change of one number against another, and whether it is more than random variation."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from math import isfinite
+from dataclasses import dataclass, replace
+from math import isfinite, nan
 
-from sim_core.comparison.intervals import Interval, change_with_interval
+from sim_core.comparison.intervals import Interval
 from sim_core.comparison.numbers import NOTHING, SAME, significant
 
 _ZERO = 1e-6  # what rounding leaves in a control loop on a smooth road is below this, in any unit that is shown
@@ -50,11 +49,8 @@ def change_on_one_road(value: float, base: float, *, scale: float = 1.0, variati
         >>> change_on_one_road(0.9, 1.0, variation=15)
         Change(change=-10.0, low=None, high=None, beyond_variation=False)
     """
-    if abs(base * scale) < _ZERO:
-        return Change(change=None, beyond_variation=abs(value * scale) >= _ZERO)
-    change = 100 * (value - base) / abs(base)
-    beyond = abs(change) >= max(SAME, variation) and not shown_alike(value, base, scale)
-    return Change(change=change, beyond_variation=beyond)
+    change = 100 * (value - base) / abs(base) if base else nan
+    return _change(change, value, base, scale, is_sure=abs(change) >= variation)
 
 
 def change_over_roads(interval: Interval, value: float, base: float, *, scale: float = 1.0) -> Change:
@@ -66,35 +62,16 @@ def change_over_roads(interval: Interval, value: float, base: float, *, scale: f
         base: The mean that it is compared with.
         scale: From the SI unit to the unit in which both are shown.
     """
-    if not isfinite(interval.value) or abs(base * scale) < _ZERO:
+    change = _change(interval.value, value, base, scale, is_sure=interval.low > 0 or interval.high < 0)
+    return change if change.change is None else replace(change, low=interval.low, high=interval.high)
+
+
+def _change(change: float, value: float, base: float, scale: float, *, is_sure: bool) -> Change:
+    """Return the change [%] of a value against a base; `is_sure` where it is larger than what is random."""
+    if not isfinite(change) or abs(base * scale) < _ZERO:
         return Change(change=None, beyond_variation=abs(value * scale) >= _ZERO)
-    beyond = abs(interval.value) >= SAME and excludes_zero(interval) and not shown_alike(value, base, scale)
-    return Change(change=interval.value, low=interval.low, high=interval.high, beyond_variation=beyond)
-
-
-def change_between(
-    values: Sequence[float], bases: Sequence[float], *, scale: float = 1.0, variation: float = 0.0
-) -> Change:
-    """Return the change of values against others on the same roads, one or several.
-
-    Args:
-        values: On each road [SI unit].
-        bases: The same of what they are compared with, in the same order of roads.
-        scale: From the SI unit to the unit in which both are shown.
-        variation: On one road, smaller changes [%] may be random.
-
-    Raises:
-        ValueError: They are not as many.
-    """
-    if len(values) == len(bases) == 1:
-        return change_on_one_road(values[0], bases[0], scale=scale, variation=variation)
-    interval = change_with_interval(values, bases)
-    return change_over_roads(interval, sum(values) / len(values), sum(bases) / len(bases), scale=scale)
-
-
-def excludes_zero(interval: Interval) -> bool:
-    """Check whether an interval lies above zero or below it."""
-    return interval.low > 0 or interval.high < 0
+    beyond = is_sure and abs(change) >= SAME and not shown_alike(value, base, scale)
+    return Change(change=change, beyond_variation=beyond)
 
 
 def shown_alike(value: float, base: float, scale: float = 1.0) -> bool:

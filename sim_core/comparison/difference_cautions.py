@@ -5,7 +5,7 @@ from typing import Any
 
 from sim_core.comparison.caution import Caution
 from sim_core.comparison.rows import Row
-from sim_core.comparison.sentences import begin_sentence
+from sim_core.comparison.verdict import begin_sentence
 from sim_core.scenario import Scenario
 
 MOST_FIELDS = 3  # that one sentence names

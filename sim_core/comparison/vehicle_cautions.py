@@ -1,6 +1,8 @@
 """Warnings about vehicle parameters outside the usual range."""
 
 from collections.abc import Iterator, Mapping
+from dataclasses import asdict
+from typing import Any
 
 from sim_core.comparison.caution import Caution
 from sim_core.comparison.road_cautions import bump_cautions
@@ -47,6 +49,21 @@ def vehicle_cautions(vehicle: Vehicle) -> tuple[Caution, ...]:
         text = f"{_frequency_text(frequencies)} {_ONE_TRACK}"
         cautions.append(Caution(kind="body_frequency", text=text, field=_field(frequencies)))
     return tuple(cautions)
+
+
+def vehicle_facts(vehicle: Vehicle) -> dict[str, Any]:
+    """Return a vehicle's `characteristics` and `cautions` as plain values.
+
+    Example:
+        >>> from sim_core import Scenario
+        >>> from sim_core.comparison.vehicle_cautions import vehicle_facts
+        >>> list(vehicle_facts(Scenario().vehicle))
+        ['characteristics', 'cautions']
+    """
+    return {
+        "characteristics": asdict(characteristics(vehicle)),
+        "cautions": [asdict(caution) for caution in vehicle_cautions(vehicle)],
+    }
 
 
 def scenario_cautions(scenario: Scenario) -> tuple[Caution, ...]:

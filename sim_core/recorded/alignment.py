@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import ceil, sqrt
+from typing import NamedTuple
 
 import numpy as np
 from scipy.fft import irfft, next_fast_len, rfft
@@ -78,9 +79,7 @@ def find_placement(
         >>> placement.reference, round(placement.offset, 2)
         ('passive', 35.0)
     """
-    longest = max(float(np.ptp(each)) for each in (distance, *(position for position, _ in references.values())))
-    significance = SignificanceTest(spacing=_spacing(longest, COARSE_SPACING, MOST_POINTS), smooth=smooth)
-    return _Search(distance, recorded, references, significance).best_match(signs)
+    return _Search(distance, recorded, references, smooth=smooth).best_match(signs)
 
 
 def correlations(where: FloatArray, recorded: FloatArray, position: FloatArray, simulated: FloatArray) -> FloatArray:
@@ -114,11 +113,23 @@ def evenly(distance: FloatArray, signals: FloatArray, spacing: float) -> tuple[F
 
 
 class ReferenceDrive:
-    """A simulated drive at even distances, normalised locally, to be correlated with a recording at many scales."""
+    """A simulated drive, also at even distances and normalised locally, to be correlated with a recording.
+
+    Args:
+        position: Ascending (n,) [m].
+        simulated: Its signals there (signals, n).
+        most: Samples of a recording, at most.
+        significance: Its spacing is that of the even distances.
+
+    Attributes:
+        informative: Length of road that shows the position [m].
+    """
 
     def __init__(self, position: FloatArray, simulated: FloatArray, most: int, significance: SignificanceTest) -> None:
-        even, rows = evenly(position, simulated, significance.spacing)
-        self.start, self.rows = float(even[0]), significance.normalise_locally(rows)
+        self.position, self.simulated = position, simulated
+        self.even, rows = evenly(position, simulated, significance.spacing)
+        self.informative = significance.informative_length(self.even, rows)
+        self.rows = significance.normalise_locally(rows)
         self.autocorrelations = significance.autocorrelations(self.rows)
         self._size = next_fast_len(self.rows.shape[1] + most, real=True)
         self._spectrum, self._energy = rfft(self.rows, self._size), _energies(self.rows)
@@ -143,82 +154,67 @@ def _energies(rows: FloatArray) -> FloatArray:
     return np.pad(np.cumsum(rows**2, axis=1), ((0, 0), (1, 0)))
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Found:
+class _Match(NamedTuple):
     """The best position for one drive, scale and choice of signs.
 
     Attributes:
-        placement: On the grid of the coarse search.
         score: `SignificanceTest.score`.
-        distinct: No other position comes near to it.
+        placement: On the grid of the coarse search.
+        distinct: Whether no other position comes near to it.
         tried: Of how many independent positions it is the best.
     """
 
-    placement: Placement
     score: float
+    placement: Placement
     distinct: bool
     tried: float
 
 
-@dataclass(frozen=True, slots=True)
 class _Search:
-    """A recording and the simulated drives that it is compared with.
+    """The search for a recording's position among simulated drives; arguments are those of `find_placement`."""
 
-    Attributes:
-        distance: Of the recording (m,) [m].
-        recorded: Its signals (signals, m).
-        references: By name the simulated drives.
-        significance: Decides whether a likeness is beyond chance.
-    """
-
-    distance: FloatArray
-    recorded: FloatArray
-    references: Mapping[str, Reference]
-    significance: SignificanceTest
+    def __init__(
+        self, distance: FloatArray, recorded: FloatArray, references: Mapping[str, Reference], *, smooth: bool
+    ) -> None:
+        longest = max(float(np.ptp(each)) for each in (distance, *(position for position, _ in references.values())))
+        spacing = _spacing(longest, COARSE_SPACING, MOST_POINTS)
+        self.significance = SignificanceTest(spacing=spacing, smooth=smooth)
+        self.distance, self.recorded = distance, recorded
+        most = ceil((1 + LARGEST_SCALE_ERROR) * float(np.ptp(distance)) / spacing) + 2
+        self.drives = {name: ReferenceDrive(*each, most, self.significance) for name, each in references.items()}
 
     def best_match(self, signs: Sequence[Signs]) -> Placement | None:
         """Return the best placement; None where none is significant, or several are about as good."""
-        best, tried = dict[str, _Found](), 0.0
-        for found in self._coarse_matches(signs):
-            tried += found.tried
-            name = found.placement.reference
-            if name not in best or found.score > best[name].score:
-                best[name] = found
-        if not max(best.values(), key=lambda found: found.score).distinct:
+        matches = sorted(self._coarse_matches(signs), key=lambda match: match.score)
+        if not matches[-1].distinct:
             return None
         # Coarse samples hardly tell the drives apart, and the best scale lies between those tried: refine each.
-        refined = [self._refine(found.placement, COARSE_EVALUATIONS) for found in best.values()]
+        best = {match.placement.reference: match.placement for match in matches}
+        refined = [self._refine(placement, COARSE_EVALUATIONS) for placement in best.values()]
         placement = self._refine(max(refined, key=self._score), FINE_EVALUATIONS)
+        tried = sum(match.tried for match in matches)
         return placement if self._score(placement) >= self.significance.threshold(tried) else None
 
     def _scales(self) -> list[float]:
         """Return the scales that the coarse search tries; 1 alone where the references do not determine it."""
-        spacing = self.significance.spacing
-        informative = min(
-            self.significance.informative_length(*evenly(position, simulated, spacing))
-            for position, simulated in self.references.values()
-        )
-        if informative < LEAST_OVERLAP_FOR_SCALE:
+        drives = self.drives.values()
+        if min(drive.informative for drive in drives) < LEAST_OVERLAP_FOR_SCALE:
             return [1.0]
-        shared = min(
-            float(np.ptp(each)) for each in (self.distance, *(position for position, _ in self.references.values()))
-        )
+        shared = min(float(np.ptp(each)) for each in (self.distance, *(drive.position for drive in drives)))
         steps = min(MOST_SCALES, ceil(LARGEST_SCALE_ERROR * shared / (4 * SHIFTED)))
         scales: list[float] = (1 + np.linspace(-LARGEST_SCALE_ERROR, LARGEST_SCALE_ERROR, 2 * steps + 1)).tolist()
         return scales
 
-    def _coarse_matches(self, signs: Sequence[Signs]) -> Iterator[_Found]:
+    def _coarse_matches(self, signs: Sequence[Signs]) -> Iterator[_Match]:
         """Yield the best position of every drive, scale and choice of signs."""
         significance, spacing = self.significance, self.significance.spacing
-        most = ceil((1 + LARGEST_SCALE_ERROR) * float(np.ptp(self.distance)) / spacing) + 2
-        drives = {name: ReferenceDrive(*reference, most, significance) for name, reference in self.references.items()}
         own = significance.autocorrelations(
             significance.normalise_locally(evenly(self.distance, self.recorded, spacing)[1])
         )
         for scale in self._scales():
             even, rows = evenly(scale * self.distance, self.recorded, spacing)
             rows = significance.normalise_locally(rows)
-            for name, drive in drives.items():
+            for name, drive in self.drives.items():
                 by_signal, samples = drive.correlate(rows)
                 enough = samples > min(LEAST_OVERLAP / spacing, drive.rows.shape[1] / 2, rows.shape[1] / 2) - 0.5
                 for each in signs:
@@ -228,33 +224,23 @@ class _Search:
                     per_independent = significance.samples_per_independent_one(signed, drive.autocorrelations)
                     score = significance.score(likeness, samples, per_independent)
                     at = int(score.argmax())
-                    start = drive.start + (at - (rows.shape[1] - 1)) * spacing  # of the recording's first sample
-                    yield _Found(
-                        placement=Placement(
-                            offset=start - float(even[0]),
-                            scale=scale,
-                            likeness=float(likeness[at]),
-                            reference=name,
-                            signs=each,
-                        ),
-                        score=float(score[at]),
-                        distinct=_is_distinct(at, score, likeness, samples, spacing),
-                        tried=len(samples) / per_independent,
-                    )
+                    start = drive.even[0] + (at - (rows.shape[1] - 1)) * spacing  # of the recording's first sample
+                    offset, like = float(start - even[0]), float(likeness[at])
+                    placement = Placement(offset=offset, scale=scale, likeness=like, reference=name, signs=each)
+                    distinct = _is_distinct(at, score, likeness, samples, spacing)
+                    yield _Match(float(score[at]), placement, distinct, len(samples) / per_independent)
 
     def _refine(self, found: Placement, evaluations: int) -> Placement:
         """Refine offset and scale about the middle of the overlap, with its likeness.
 
         Where the overlap, or the part of it that shows the position, is short, the scale is 1.
         """
-        position, simulated = self.references[found.reference]
-        distance, recorded = self.distance, apply_signs(self.recorded, found.signs)
-        informative = self.significance.informative_length(*evenly(position, simulated, self.significance.spacing))
-        offset, scale = found.offset, found.scale
+        drive, distance, recorded = self.drives[found.reference], self.distance, apply_signs(self.recorded, found.signs)
+        position, offset, scale = drive.position, found.offset, found.scale
         start, end = np.clip((position[[0, -1]] - offset) / scale, distance[0], distance[-1]).tolist()
         part = (distance >= start - EXCLUSION_DISTANCE) & (distance <= end + EXCLUSION_DISTANCE)
         even, clean = evenly(distance[part], recorded[:, part], _spacing(end - start, FINE_SPACING, MOST_FINE_POINTS))
-        free = min(end - start, informative) >= LEAST_OVERLAP_FOR_SCALE
+        free = min(end - start, drive.informative) >= LEAST_OVERLAP_FOR_SCALE
         middle = (start + end) / 2  # about which a change of scale shifts nothing
 
         def placement(at: FloatArray) -> Placement:
@@ -262,36 +248,25 @@ class _Search:
             moved = float(offset + scale * middle + at[0] - new * middle)
             where = moved + new * even
             inside = (where >= position[0]) & (where <= position[-1])
-            likeness = correlations(where[inside], clean[:, inside], position, simulated)
+            likeness = correlations(where[inside], clean[:, inside], position, drive.simulated)
             return replace(found, offset=moved, scale=new, likeness=float(np.mean(likeness)))
-
-        def unlikeness(at: FloatArray) -> float:
-            return -placement(at).likeness
 
         inward = -1 if scale > 1 else 1  # a scale at its limit can only go there
         simplex = np.array([[0.0, 0.0], [COARSE_SPACING, 0.0], [0.0, inward * 0.1 / (end - start)]])
-        best = fmin(
-            unlikeness, simplex[0], xtol=1e-7, ftol=1e-10, maxfun=evaluations, disp=False, initial_simplex=simplex
-        )
+        limits = {"xtol": 1e-7, "ftol": 1e-10, "maxfun": evaluations}
+        best = fmin(lambda at: -placement(at).likeness, simplex[0], disp=False, initial_simplex=simplex, **limits)
         return placement(best)
 
     def _score(self, placement: Placement) -> float:
         """Return the score of a placement by the parts of both drives that overlap there."""
-        significance = self.significance
-        position, simulated = self.references[placement.reference]
-        recorded = apply_signs(self.recorded, placement.signs)
-        (own, rows), (whole, others) = (
-            (even, significance.normalise_locally(signals))
-            for even, signals in (
-                evenly(placement.offset + placement.scale * self.distance, recorded, significance.spacing),
-                evenly(position, simulated, significance.spacing),
-            )
-        )
-        inside = (own >= whole[0]) & (own <= whole[-1])
+        significance, drive = self.significance, self.drives[placement.reference]
+        where = placement.offset + placement.scale * self.distance
+        own, signals = evenly(where, apply_signs(self.recorded, placement.signs), significance.spacing)
+        inside = (own >= drive.even[0]) & (own <= drive.even[-1])
         if np.count_nonzero(inside) < 3:
             return 0.0
-        ours = rows[:, inside]
-        theirs = np.array([np.interp(own[inside], whole, each) for each in others])
+        ours = significance.normalise_locally(signals)[:, inside]
+        theirs = np.array([np.interp(own[inside], drive.even, each) for each in drive.rows])
         ours, theirs = (each - each.mean(axis=1, keepdims=True) for each in (ours, theirs))
         size = np.sqrt((ours**2).sum(axis=1) * (theirs**2).sum(axis=1)) + 1e-300
         likeness = np.mean((ours * theirs).sum(axis=1) / size, keepdims=True)

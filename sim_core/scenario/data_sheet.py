@@ -56,21 +56,17 @@ class DataSheet(Part):
         An axle's share m of the body swings on spring and tyre in series, k = (2π f)² m = k_s k_t/(k_s + k_t). The
         damper moves by k_t/(k_s + k_t) of what the body does, so it needs 2 ζ √(k m) (1 + k_s/k_t)².
         """
-        front, front_spring, front_damping = self._suspension("front")
-        rear, rear_spring, rear_damping = self._suspension("rear")
-        to_front = self.wheelbase * rear / (front + rear)
+        sprung, values = dict[str, float](), {"cg_height": self.cg_height}
+        for axle in ("front", "rear"):
+            sprung[axle], values[f"{axle}_spring"], values[f"{axle}_damping"] = self._suspension(axle)
+            values[f"{axle}_wheel_mass"] = getattr(self, f"{axle}_axle_mass")
+            values[f"{axle}_tyre_stiffness"] = getattr(self, f"{axle}_tyre_stiffness")
+        mass = sprung["front"] + sprung["rear"]
+        to_front = self.wheelbase * sprung["rear"] / mass
         to_rear = self.wheelbase - to_front
-        inertia = (front + rear) * to_front * to_rear if self.pitch_inertia is None else self.pitch_inertia
-        return one_track(
-            body_mass=front + rear,
-            pitch_inertia=inertia,
-            cg_height=self.cg_height,
-            cg_to_axles=(to_front, to_rear),
-            axle_masses=(self.front_axle_mass, self.rear_axle_mass),
-            springs=(front_spring, rear_spring),
-            damping=(front_damping, rear_damping),
-            tyres=(self.front_tyre_stiffness, self.rear_tyre_stiffness),
-        )
+        inertia = mass * to_front * to_rear if self.pitch_inertia is None else self.pitch_inertia
+        values |= {"body_mass": mass, "pitch_inertia": inertia, "cg_to_front": to_front, "cg_to_rear": to_rear}
+        return one_track(values)
 
     def _wheel(self, axle: str) -> tuple[float, float, float]:
         """Of one wheel: its share of the body [kg], spring and tyre in series, and the tyre [N/m]."""

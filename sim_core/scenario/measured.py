@@ -17,13 +17,13 @@ ID_PATTERN = f"^[A-Za-z0-9][A-Za-z0-9_-]{{{ID_LENGTH - 1}}}$"
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class MeasuredRoad:
-    """A profile from x = 0 on; equal heights have equal ids.
+class Packed:
+    """Measured numbers under an id that is their digest: equal ids, equal numbers.
 
     Attributes:
-        id: Digest of the heights.
-        samples: How many heights there are, `SPACING` apart.
-        content: Them, packed.
+        id: Digest of the numbers, `packed_id`.
+        samples: How many there are of each signal.
+        content: The numbers, packed.
     """
 
     id: str
@@ -31,10 +31,21 @@ class MeasuredRoad:
     content: bytes
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, MeasuredRoad) and self.id == other.id
+        return isinstance(other, type(self)) and self.id == other.id
 
     def __hash__(self) -> int:
         return hash(self.id)
+
+
+def packed_id(plain: bytes) -> str:
+    """Return the id of numbers as plain bytes: text that may stand in addresses and scenarios (`ID_PATTERN`)."""
+    return base64.urlsafe_b64encode(hashlib.sha256(plain).digest()).decode().lstrip("-_")[:ID_LENGTH]
+
+
+class MeasuredRoad(Packed):
+    """Heights from x = 0 on, `SPACING` apart."""
+
+    __slots__ = ()
 
     @property
     def length(self) -> float:
@@ -46,8 +57,7 @@ class MeasuredRoad:
         """Return the road of these heights (samples,) [m], to a micrometre."""
         steps = np.diff(np.round(heights / RESOLUTION).astype("<i4"), prepend=np.int32(0))
         plain = steps.astype("<i4").tobytes()
-        digest = base64.urlsafe_b64encode(hashlib.sha256(b"ridelab road 1\n" + plain).digest()).decode()
-        return cls(id=digest.lstrip("-_")[:ID_LENGTH], samples=len(heights), content=zlib.compress(plain))
+        return cls(id=packed_id(b"ridelab road 1\n" + plain), samples=len(heights), content=zlib.compress(plain))
 
     def heights(self) -> FloatArray:
         """Return the heights (samples,) [m]."""

@@ -1,37 +1,25 @@
 """Named scenarios, which presets.toml has; the paper's first."""
 
 import tomllib
-from dataclasses import dataclass
 from pathlib import Path
+
+from pydantic import BaseModel
 
 from sim_core.errors import UnknownNameError
 from sim_core.scenario import Scenario
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Preset:
+class Preset(BaseModel, frozen=True):
     """A scenario with a name and a sentence on what it is."""
 
     id: str
     label: str
     description: str
-    scenario: Scenario
+    scenario: Scenario = Scenario()
 
 
-def _presets() -> dict[str, Preset]:
-    data = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
-    return {
-        name: Preset(
-            id=name,
-            label=entry["label"],
-            description=entry["description"],
-            scenario=Scenario.model_validate(entry.get("scenario", {})),
-        )
-        for name, entry in data.items()
-    }
-
-
-PRESETS = _presets()
+_TABLE = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+PRESETS = {name: Preset(id=name, **entry) for name, entry in _TABLE.items()}
 
 
 def preset(name: str) -> Scenario:

@@ -1,7 +1,5 @@
 """A recorded drive: its signals as they came, packed, under an id that is their digest."""
 
-import base64
-import hashlib
 import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -10,7 +8,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import SIGNALS
-from sim_core.scenario.measured import ID_LENGTH, ID_PATTERN
+from sim_core.scenario.measured import ID_PATTERN, Packed, packed_id
 
 PREFIX = "recording:"
 LONGEST = 5000.0  # [m]
@@ -23,26 +21,14 @@ def recording_id(strategy: str) -> str | None:
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class RecordedDrive:
-    """Signals of one drive, sampled together; equal signals have equal ids.
+class RecordedDrive(Packed):
+    """Signals of one drive, sampled together.
 
     Attributes:
-        id: Digest of the signals.
-        samples: How many there are of each.
-        keys: Which there are, in the catalogue's order, with commas.
-        content: Them, packed.
+        keys: Which signals there are, in the catalogue's order, with commas.
     """
 
-    id: str
-    samples: int
     keys: str
-    content: bytes
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, RecordedDrive) and self.id == other.id
-
-    def __hash__(self) -> int:
-        return hash(self.id)
 
     @classmethod
     def of(cls, signals: Mapping[str, FloatArray]) -> "RecordedDrive":
@@ -58,10 +44,9 @@ class RecordedDrive:
         table = np.array([signals[key] for key in keys], dtype="<f8") + 0.0  # no negative zero
         table[np.isnan(table)] = np.nan  # one of many
         head = f"ridelab recording 1\n{','.join(keys)}\n".encode()
-        digest = base64.urlsafe_b64encode(hashlib.sha256(head + table.tobytes()).digest()).decode()
         apart = table.view(np.uint8).reshape(len(keys), -1, 8).transpose(0, 2, 1)  # alike bytes together
         return cls(
-            id=digest.lstrip("-_")[:ID_LENGTH],
+            id=packed_id(head + table.tobytes()),
             samples=table.shape[1],
             keys=",".join(keys),
             content=zlib.compress(np.ascontiguousarray(apart).tobytes()),

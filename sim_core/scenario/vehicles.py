@@ -6,18 +6,18 @@ A whole car's masses and inertia are halved, springs, dampers and tyres are one 
 
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from pydantic import BaseModel
+
 from sim_core.scenario.vehicle import Vehicle
 
-Pair = tuple[float, float]
-_HALVED = "Masses and inertia are half the whole car's, an axle's mass half its two wheels'"
+_HALVED = "body_mass", "pitch_inertia", "front_wheel_mass", "rear_wheel_mass"
+_HALVED_IN_WORDS = "Masses and inertia are half the whole car's, an axle's mass half its two wheels'"
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class VehiclePreset:
+class VehiclePreset(BaseModel, frozen=True):
     """A vehicle with a name, where its numbers are from, and how those follow that no source has."""
 
     id: str
@@ -28,42 +28,14 @@ class VehiclePreset:
     derived: tuple[str, ...]
 
 
-def one_track(
-    *,
-    body_mass: float,
-    pitch_inertia: float,
-    cg_height: float,
-    cg_to_axles: Pair,
-    axle_masses: Pair,
-    springs: Pair,
-    damping: Pair,
-    tyres: Pair,
-    rebound_ratio: float = 1,
-) -> Vehicle:
-    """Return half of a whole car: its left or right track. Pairs are of the front and of the rear axle.
+def one_track(whole_car: Mapping[str, float]) -> Vehicle:
+    """Return half of a whole car: its left or right track.
 
     Args:
-        body_mass: Sprung mass of the whole car [kg].
-        pitch_inertia: Of the whole body about its pitch axis [kg m^2].
-        cg_height: Of the body's centre of gravity above the road [m].
-        cg_to_axles: From the centre of gravity to both axles [m].
-        axle_masses: Unsprung masses, of both wheels [kg].
-        springs: Of one wheel [N/m].
-        damping: Of one wheel [N s/m].
-        tyres: Stiffness of one [N/m].
-        rebound_ratio: Damping in rebound over that in compression.
+        whole_car: Fields of `Vehicle` in their units; masses of body and wheels, and pitch inertia, of both tracks.
     """
-    half = {"body_mass": body_mass / 2, "pitch_inertia": pitch_inertia / 2}
-    values = {**half, "cg_height": cg_height, "rebound_ratio": rebound_ratio}
-    for name, (front, rear) in {
-        "cg_to_{}": cg_to_axles,
-        "{}_wheel_mass": (axle_masses[0] / 2, axle_masses[1] / 2),
-        "{}_spring": springs,
-        "{}_damping": damping,
-        "{}_tyre_stiffness": tyres,
-    }.items():
-        values |= {name.format("front"): front, name.format("rear"): rear}
-    return Vehicle.model_validate({name: _rounded(value) for name, value in values.items()})
+    half = {name: _rounded(value / 2 if name in _HALVED else value) for name, value in whole_car.items()}
+    return Vehicle.model_validate(half)
 
 
 def loaded(vehicle: Vehicle, mass: float, behind_front_axle: float, length: float) -> Vehicle:
@@ -94,29 +66,23 @@ def _rounded(value: float) -> float:
     return float(f"{value:.5g}")
 
 
-def _preset(
-    name: str, entry: dict[str, Any], sources: dict[str, list[str]], earlier: Mapping[str, VehiclePreset]
-) -> VehiclePreset:
-    """Return the vehicle that an entry of vehicles.toml describes."""
-    vehicle = (
-        loaded(earlier[entry["empty"]].vehicle, *entry["load"]) if "load" in entry else one_track(**entry["whole_car"])
-    )
-    return VehiclePreset(
-        id=name,
-        label=entry["label"],
-        description=entry["description"],
-        vehicle=vehicle,
-        sources=tuple(text for source in entry["sources"] for text in sources[source]),
-        derived=(_HALVED, *entry.get("derived", ())),
-    )
-
-
 def _vehicles() -> dict[str, VehiclePreset]:
-    data = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
-    found: dict[str, VehiclePreset] = {}
+    data: dict[str, Any] = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+    presets: dict[str, VehiclePreset] = {}
     for name, entry in data["vehicles"].items():
-        found[name] = _preset(name, entry, data["sources"], found)
-    return found
+        if "load" in entry:
+            vehicle = loaded(presets[entry["empty"]].vehicle, *entry["load"])
+        else:
+            vehicle = one_track(entry["whole_car"])
+        presets[name] = VehiclePreset(
+            id=name,
+            label=entry["label"],
+            description=entry["description"],
+            vehicle=vehicle,
+            sources=tuple(text for source in entry["sources"] for text in data["sources"][source]),
+            derived=(_HALVED_IN_WORDS, *entry.get("derived", ())),
+        )
+    return presets
 
 
 VEHICLES = _vehicles()

@@ -20,7 +20,7 @@ from ridelab.cli.service import Services
 from sim_core import Scenario, simulate
 from sim_core import __version__ as CORE_VERSION
 from sim_core.comparison.compare import compare_summaries, default_baseline
-from sim_core.comparison.vehicle_facts import vehicle_facts
+from sim_core.comparison.vehicle_cautions import vehicle_facts
 from tests.client.cli import Cli
 from tests.servers import loops
 

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from itertools import permutations
 from math import nan, sqrt
+from statistics import fmean
 from typing import Any
 
 import pytest
@@ -12,14 +13,21 @@ from hypothesis import strategies as st
 from backend.means_over_roads import Numbers, means_and_changes, paired_changes
 from sim_core import Comparison, Road, Scenario
 from sim_core.catalogue import PAPER_METRICS
-from sim_core.comparison.change import change_between, change_on_one_road, shown_alike
+from sim_core.comparison.change import Change, change_on_one_road, change_over_roads, shown_alike
 from sim_core.comparison.compare import compare_summaries
+from sim_core.comparison.intervals import change_with_interval
 from sim_core.comparison.numbers import significant
 from sim_core.comparison.variation import one_road_resolution
 from sim_core.strategies import STRATEGIES
 from tests import wording
 
 T_4 = 2.7764451  # Student's t at 97.5 %, 4 degrees of freedom (any table)
+
+
+def change_between(values: Sequence[float], base: Sequence[float], variation: float) -> Change:
+    if len(values) == 1:
+        return change_on_one_road(values[0], base[0], variation=variation)
+    return change_over_roads(change_with_interval(values, base), fmean(values), fmean(base))
 
 
 def numbers(value: float) -> Numbers:
