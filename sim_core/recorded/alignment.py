@@ -251,10 +251,14 @@ class _Search:
             likeness = correlations(where[inside], clean[:, inside], position, drive.simulated)
             return replace(found, offset=moved, scale=new, likeness=float(np.mean(likeness)))
 
+        def unlikeness(at: FloatArray) -> float:
+            return -placement(at).likeness
+
         inward = -1 if scale > 1 else 1  # a scale at its limit can only go there
         simplex = np.array([[0.0, 0.0], [COARSE_SPACING, 0.0], [0.0, inward * 0.1 / (end - start)]])
-        limits = {"xtol": 1e-7, "ftol": 1e-10, "maxfun": evaluations}
-        best = fmin(lambda at: -placement(at).likeness, simplex[0], disp=False, initial_simplex=simplex, **limits)
+        best = fmin(
+            unlikeness, simplex[0], xtol=1e-7, ftol=1e-10, maxfun=evaluations, disp=False, initial_simplex=simplex
+        )
         return placement(best)
 
     def _score(self, placement: Placement) -> float:

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping
 from contextvars import ContextVar
-from copy import copy
 from functools import cache
 from typing import Any, Self, TypeVar
 
@@ -12,7 +11,6 @@ from sim_core.scenario.own import Own
 
 T = TypeVar("T")
 _accessed: ContextVar[set[str] | None] = ContextVar("accessed", default=None)
-_PYDANTIC = ("__pydantic_fields_set__", "__pydantic_extra__", "__pydantic_private__")
 
 
 def record_accesses(scenario: Scenario, function: Callable[[Scenario], T]) -> tuple[T, set[str]]:
@@ -31,20 +29,10 @@ def record_accesses(scenario: Scenario, function: Callable[[Scenario], T]) -> tu
 
 def _tracking_copy(part: Part, prefix: str) -> Any:
     """Return a copy of a part, and of the parts in it, that records which of its fields are looked at."""
-    values = {
-        name: _tracking_copy(value, f"{prefix}{name}.") if isinstance(value, Part) else value
-        for name, value in vars(part).items()
-    }
-    return _made(_recording_class(type(part), prefix), part, values)
-
-
-def _made(kind: type[Part], of: Part, values: Mapping[str, Any]) -> Any:
-    """Return an object of a part's class with these values, and what another object has beside its fields."""
-    made = kind.__new__(kind)
-    object.__setattr__(made, "__dict__", dict(values))
-    for name in _PYDANTIC:
-        object.__setattr__(made, name, copy(object.__getattribute__(of, name)))
-    return made
+    parts = {name: value for name, value in vars(part).items() if isinstance(value, Part)}
+    copied = part.model_copy(update={name: _tracking_copy(each, f"{prefix}{name}.") for name, each in parts.items()})
+    object.__setattr__(copied, "__class__", _recording_class(type(part), prefix))
+    return copied
 
 
 @cache
@@ -68,9 +56,12 @@ def _recording_class(kind: type[Part], prefix: str) -> type[Part]:
             return value
 
         def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
-            changed: Self = _made(type(self), self, object.__getattribute__(self, "__dict__") | dict(update or {}))
-            changed.model_fields_set.update(update or {})
-            return changed
+            token = _accessed.set(None)  # to copy is not to look at
+            try:
+                copied: Self = super().model_copy(update=update, deep=deep)
+                return copied
+            finally:
+                _accessed.reset(token)
 
         def of(self, controller: str) -> dict[str, Any]:
             options: dict[str, Any] = super().of(controller)

@@ -4,7 +4,7 @@
 sensor's noise with the filter that uses it: `conditional_reads` says with which.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import chain, product
@@ -12,7 +12,7 @@ from typing import Any, get_args
 
 from sim_core.control.controller import Controller, option_name
 from sim_core.control.declared import ScenarioField
-from sim_core.scenario import Bump, Speed, dotted
+from sim_core.scenario import Speed, dotted
 from sim_core.strategies import STRATEGIES, reads, resolve_speed_plan
 from sim_core.strategies.reads import MOST_INFORMED, PREVIEW, effective_preview, is_set_by_field, merge_into_parts
 
@@ -40,29 +40,6 @@ class FieldCondition:
     field: str
     values: tuple[Any, ...]
     excluded: bool = False
-
-    def is_met(self, scenario: Mapping[str, Any], changes: Mapping[str, Any] | None = None) -> bool:
-        """Check whether a complete plain scenario, with these fields changed, has such a value."""
-        changes = changes or {}
-        if self.field == HAS_BUMP:
-            value = _has_bump(lambda name: changes.get(name, dotted.value(scenario, name)))
-        else:
-            value = changes.get(self.field, dotted.value(scenario, self.field))
-        return (value in self.values) is not self.excluded
-
-    def __str__(self) -> str:
-        """Return it as a script would write it: `mpc.preview = lookahead or obstacle`."""
-        if self.field == HAS_BUMP:
-            return "a bump that ends on the road"
-        values = " or ".join("none" if each is None else str(each) for each in self.values)
-        return f"{self.field} {'other than' if self.excluded else '='} {values}"
-
-
-def _has_bump(value: Callable[[str], Any]) -> bool:
-    """Check whether a road has a place of a bump, by the value of each field."""
-    start, width, count, spacing = (value(f"road.bump.{name}") for name in _PLACE)
-    end = Bump.model_construct(start=start, width=width, count=count, spacing=spacing).end
-    return bool(end <= value("road.length"))
 
 
 Alternatives = tuple[tuple[FieldCondition, ...], ...]  # one of them is enough, with all its conditions
@@ -139,7 +116,7 @@ def _rules(strategy: type[Controller]) -> dict[str, Alternatives]:
     """Name the fields that need other values, with what they need."""
     rules = {**_road_rules(strategy), **_preview_rules(strategy)}
     if strategy.id in STRATEGIES:
-        return {**rules, **_car_rules(), **_controller_rules(strategy)}
+        return {**rules, **_rules_of_ours(strategy)}
     declared = [each.name for each in strategy.declared.values() if isinstance(each, ScenarioField)]
     # It may ask for what the sensors measure, noise included, whether there is a filter or not.
     return {name: need for name, need in rules.items() if name not in (*declared, "road.seed")}
@@ -160,15 +137,6 @@ def _road_rules(strategy: type[Controller]) -> dict[str, Alternatives]:
     }
 
 
-def _car_rules() -> dict[str, Alternatives]:
-    """Return the rules for the car."""
-    links = _any(_is_not("vehicle.anti_dive", 0), _is_not("vehicle.anti_lift", 0))
-    return {
-        "vehicle.bump_stop_stiffness": _is_not("vehicle.bump_stop_clearance", None),
-        "vehicle.front_brake_share": links,
-    }
-
-
 def _preview_rules(strategy: type[Controller]) -> dict[str, Alternatives]:
     """Return the rules for what the strategy itself previews."""
     modes = {name: [mode for mode, names in PREVIEW.items() if name in names] for name in PREVIEW[MOST_INFORMED]}
@@ -178,8 +146,8 @@ def _preview_rules(strategy: type[Controller]) -> dict[str, Alternatives]:
     return needs | {_KNOWS_PREVIEW: _all(_filtered(strategy), needs[_KNOWS_PREVIEW])}
 
 
-def _controller_rules(strategy: type[Controller]) -> dict[str, Alternatives]:
-    """Return the rules for the fields of our own controllers, whose code is known."""
+def _rules_of_ours(strategy: type[Controller]) -> dict[str, Alternatives]:
+    """Return the rules for fields of the car and of our own controllers, whose code is known."""
     disturbed = _any(*(_is_not(f"hil.{name}", 0) for name in ("noise", "jitter", "packet_loss")))
     noises = ("acceleration_noise", "deflection_noise", "pitch_rate_noise")
     return {
@@ -188,6 +156,8 @@ def _controller_rules(strategy: type[Controller]) -> dict[str, Alternatives]:
         "hook.min_damping": _is("hook.semi_active", True),
         "hook.max_damping": _is("hook.semi_active", True),
         "hil.seed": disturbed,
+        "vehicle.bump_stop_stiffness": _is_not("vehicle.bump_stop_clearance", None),
+        "vehicle.front_brake_share": _any(*(_is_not(f"vehicle.anti_{name}", 0) for name in ("dive", "lift"))),
     }
 
 

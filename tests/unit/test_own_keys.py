@@ -12,6 +12,7 @@ from sim_core.scenario.dotted import is_within
 from sim_core.strategies import reads, resolve_speed_plan, values_read
 from sim_core.strategies.effects import conditional_reads
 from sim_core.strategies.reads import dependencies
+from tests.validation.conditions import may_affect
 
 BASE = Scenario(
     road=Road(length=34, bump=Bump(start=20, width=3)),
@@ -132,14 +133,7 @@ def test_who_looks_ahead_has_the_sensors_errors_in_its_key_however_it_says_so(
         assert results[-1] not in results[:-1], name
         assert all(values_read(changed, each) != key for each, key in zip(known, keys, strict=True)), name
         assert all(any(is_within(name, part) for part in reads(each)) for each in known)
-        assert way == "optional" or all(_is_said_to_count(each, name) for each in known), name
-
-
-def _is_said_to_count(kind: type[Controller], name: str) -> bool:
-    """Check whether a field has an effect in the base scenario by the conditions of its reading."""
-    groups = [each for each in conditional_reads(kind) if any(is_within(name, part) for part in each.fields)]
-    plain = BASE.model_dump(mode="json")
-    return any(all(condition.is_met(plain) for condition in each.conditions) for each in groups)
+        assert way == "optional" or all(may_affect(conditional_reads(each), name, BASE) for each in known), name
 
 
 def test_the_check_drives_without_preview_a_controller_that_declares_one(
