@@ -5,9 +5,9 @@ evaluation by scikit-fuzzy takes about 10 ms.
 """
 
 from functools import cache, lru_cache
-from importlib.util import find_spec, module_from_spec, spec_from_file_location
-from pathlib import Path
-from types import ModuleType
+from importlib.metadata import distribution
+from runpy import run_path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,58 +46,48 @@ class TorqueRules:
         )
 
     def share(self, speed_error_kmh: float, distance: float) -> float:
-        """Torque share 0 to 1 at a speed error [km/h] and distance [m], both clipped to their universes."""
+        """Return the torque share 0 to 1 at a speed error [km/h] and distance [m], both clipped to their universes."""
         return binding.torque_share(self.prepared, speed_error_kmh, distance)
 
     def surface(self) -> FloatArray:
-        """Torque shares 0 to 1 at every sample of the distance and of the speed error (distances, errors)."""
+        """Return torque shares 0 to 1 at every sample of the distance and of the speed error (distances, errors)."""
         errors = self._errors.tolist()
         return np.array([[self.share(error, distance) for error in errors] for distance in self._distances.tolist()])
 
 
 @lru_cache(maxsize=8)
 def torque_rules(fuzzy: Fuzzy) -> TorqueRules:
-    """The rule base of a scenario: Table 1 on a grid of 0.25 km/h x 0.5 m, its own within 0.1 % of scikit-fuzzy's."""
+    """Return a scenario's rule base: Table 1 on a grid of 0.25 km/h x 0.5 m, its own within 0.1 % of scikit-fuzzy's."""
     if fuzzy == Fuzzy():
         return TorqueRules(fuzzy, 120, 160, 100, interpolates=True)
     return TorqueRules(fuzzy, 3000, 8000, 1000)
 
 
 def memberships(sets: tuple[FuzzySet, ...], universe: FloatArray) -> FloatArray:
-    """Memberships (sets, n) over a universe (n,), by scikit-fuzzy."""
+    """Return memberships (sets, n) over a universe (n,), by scikit-fuzzy."""
     functions, rows = _membership_functions(), []
     for each in sets:
         arguments = [each.corners] if each.function in ("trimf", "trapmf") else each.corners
         with np.errstate(over="ignore"):  # a steep bell or sigmoid is 0 or 1 where a power overflows
-            rows.append(getattr(functions, each.function)(universe, *arguments))
+            rows.append(functions[each.function](universe, *arguments))
     return np.array(rows)
 
 
 @cache
-def _membership_functions() -> ModuleType:
-    """scikit-fuzzy's module of them by itself: the package would import its clustering, and with it most of SciPy."""
-    package = find_spec("skfuzzy")
-    folder = Path(package.origin).parent if package and package.origin else Path()
-    spec = spec_from_file_location("sim_core.speed._membership_functions", folder / "membership" / "generatemf.py")
-    if spec is None or spec.loader is None:
-        raise ImportError("scikit-fuzzy is not installed")
-    module = module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+def _membership_functions() -> dict[str, Any]:
+    """Return those of scikit-fuzzy by name, from their own file: its package imports most of SciPy, for 0.8 s."""
+    return run_path(str(distribution("scikit-fuzzy").locate_file("skfuzzy/membership/generatemf.py")))
 
 
 def _numbered(fuzzy: Fuzzy) -> NDArray[np.intc]:
-    """Sets of distance and error, perhaps ANY, and of the torque (rules, 3)."""
+    """Return the sets of distance and error, perhaps ANY, and of the torque, by number (rules, 3)."""
     errors, distances, torques = (
         {each.name: place for place, each in enumerate(sets)}
         for sets in (fuzzy.speed_errors, fuzzy.distances, fuzzy.torques)
     )
-    rows = [
-        (
-            distances.get(rule.condition.distance or "", ANY),
-            errors.get(rule.condition.speed_error or "", ANY),
-            torques[rule.then],
-        )
-        for rule in fuzzy.rules or TABLE_1
-    ]
+    rows = []
+    for rule in fuzzy.rules or TABLE_1:
+        asked = rule.condition
+        distance, error = distances.get(asked.distance or "", ANY), errors.get(asked.speed_error or "", ANY)
+        rows.append((distance, error, torques[rule.then]))
     return np.array(rows, dtype=np.intc)

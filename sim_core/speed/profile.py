@@ -16,7 +16,7 @@ from sim_core.kernel.binding import plan_speed
 from sim_core.road.profile import RUN_IN
 from sim_core.scenario import Brake, Fuzzy, Scenario, Speed
 from sim_core.scenario.parts import KMH
-from sim_core.speed.brake import BrakeChain
+from sim_core.speed.brake import brake_chain, pressure_decay
 from sim_core.speed.fuzzy import torque_rules
 
 SpeedPlan = Literal["planned", "constant"]  # whether the car slows down for the bump
@@ -131,10 +131,10 @@ def _planned(
         bump_start: Where the front axle meets the bump [m].
         bump_end: Where it is when the rear one has left it [m].
     """
-    chain, h = BrakeChain(brake, mass), SPEED_CONTROL_PERIOD
-    initial, target = speed.initial, min(speed.target, speed.initial)
+    h, initial = SPEED_CONTROL_PERIOD, speed.initial
     plan = (
-        *(*chain.numbers, target, TARGET_BAND, bump_start, bump_end, REACHED, h, chain.decay(h / 2), chain.decay(h)),
+        *(*brake_chain(brake, mass), min(speed.target, initial), TARGET_BAND, bump_start, bump_end, REACHED),
+        *(h, pressure_decay(brake, h / 2), pressure_decay(brake, h)),
         *(speed.controller == "guarded", KMH, ENGINE_TIME_CONSTANT, ENGINE_ACCELERATION),
     )
     rows = plan_speed(torque_rules(fuzzy).prepared, np.array(plan, dtype=np.float64), detection, initial)
