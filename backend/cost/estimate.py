@@ -256,9 +256,7 @@ def _steps(scenario: Scenario, strategy: type[Controller]) -> StepSizes:
 
 
 def _fine_step(scenario: Scenario, strategy: type[Controller]) -> float:
-    semi_active = strategy().for_scenario(scenario).dampers() is not None
-    plan = speed_plan_on(strategy, scenario)
-    return longest_fine_step(scenario, plan, actuated=strategy.actuated, semi_active=semi_active)
+    return longest_fine_step(scenario, speed_plan_on(strategy, scenario), actuated=strategy.actuated)
 
 
 def _fields(scenario: Scenario, strategy: type[Controller]) -> tuple[str, ...]:

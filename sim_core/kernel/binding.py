@@ -29,6 +29,7 @@ _torque_share = Function("torque_share", CStruct, DOUBLE, DOUBLE, result=DOUBLE)
 _plan_speed = Function("plan_speed", CStruct, _PLAN, Array(3, written=True), _TABLE_OUT, INT, result=INT)
 _roughness = Function("roughness", _LINE_OUT, INT, DOUBLE, DOUBLE, DOUBLE, result=DOUBLE)
 _road_heights = Function("road_heights", *_ROAD, Array(), INT, Array(written=True))
+_above_chords = Function("above_chords", *_ROAD, _TABLE, INT, _TABLE_OUT)
 _window_sizes = Function("window_sizes", _TABLE, INT, INT, _TABLE_OUT)
 _shape_number = Function("shape_number", NAME, result=INT)
 
@@ -113,6 +114,21 @@ def road_heights(samples: FloatArray, layout: FloatArray, position: FloatArray, 
     _check_road(samples)
     require(position.shape == height.shape, "Every position has a height")
     _road_heights(samples, len(samples), layout, position, position.size, height)
+
+
+def above_chords(samples: FloatArray, layout: FloatArray, position: FloatArray) -> FloatArray:
+    """Return how far a road lies above its chords on average, front and rear, then its first moments (n, 4) [m].
+
+    Args:
+        samples: Of the road's roughness.
+        layout: Of the road.
+        position: Of both axles at the chords' ends (2, n + 1) [m].
+    """
+    _check_road(samples)
+    require(len(position) == 2 and position.shape[1] > 0, "Two axles")
+    above = np.empty((position.shape[1] - 1, 4))
+    _above_chords(samples, len(samples), layout, position, len(above), above)
+    return above
 
 
 def window_sizes(previewed: FloatArray, horizon: int, sizes: FloatArray) -> None:

@@ -1,7 +1,7 @@
-/* The half-car on its road, which is straight within a fine step. Where the car is linear its fine steps are exact, and
-   given. Where it is not - dampers that resist rebound more than compression or are semi-active, bump stops, tyres that
-   lift off - they are Runge-Kutta steps of fourth order, which end where the slope of one of these forces changes
-   (docs/explanation/half-car.md). The models and their source: sim_core/vehicle. */
+/* The half-car on its road. Where the car is linear its fine steps are exact, and given, on a road that is straight within
+   each. Where it is not - dampers that resist rebound more than compression or are semi-active, bump stops, tyres that
+   lift off - they are Runge-Kutta steps of fourth order, which end where the slope of one of these forces changes, on a
+   road with its true mean and first moment (docs/explanation/half-car.md). The models and their source: sim_core/vehicle. */
 
 #include <math.h>
 #include <stddef.h>
@@ -51,6 +51,8 @@ struct car {
     const struct estimator *estimator; /* NULL: none */
     const double *estimator_input;     /* 8 numbers a control step */
     const double *height, *braking;    /* of the road, 2 x (steps fine + 1) [m]; in each fine step [m/s^2] */
+    const double *above_chord;         /* 4 a fine step: both roads' means above their chords, then moments [m]; not read
+                                          of a linear car */
     const double (*effects)[NUMBERS];  /* CAUSES of them, what each alone makes of rest in a linear car's fine step */
     int steps, fine, substeps;         /* of all; fine ones in a control step; steps of Runge-Kutta in a fine one */
     double time, per_time;             /* of a fine step [s], and its inverse */
@@ -95,12 +97,21 @@ static double secant(const struct curve *curve, double speed)
     return curve->speed[from] == 0 ? slope : (curve->force[from] + slope * (speed - curve->speed[from])) / speed;
 }
 
-/* Force over speed of an axle's passive damper at a speed. */
+/* Whether dampers are neither semi-active nor have a curve, and actuators do not lag. */
+static inline int is_plain(const struct vehicle *vehicle)
+{
+    return !vehicle->semi_active && vehicle->curve[0].points == 0 && vehicle->corner == 0;
+}
+
+/* Force over speed of an axle's passive damper at a speed, without a curve. */
+static inline double plain_damping(const struct vehicle *vehicle, int axle, double speed)
+{
+    return vehicle->damper_asymmetric * speed > 0 ? vehicle->rebound[axle] : vehicle->compression[axle];
+}
+
 static inline double damping(const struct vehicle *vehicle, int axle, double speed)
 {
-    if (vehicle->curve[0].points > 0)
-        return secant(vehicle->curve + axle, speed);
-    return vehicle->damper_asymmetric * speed > 0 ? vehicle->rebound[axle] : vehicle->compression[axle];
+    return vehicle->curve[0].points > 0 ? secant(vehicle->curve + axle, speed) : plain_damping(vehicle, axle, speed);
 }
 
 static inline double stop_force(const struct vehicle *vehicle, int axle, double travel)
@@ -131,22 +142,33 @@ static inline void body_accelerations(const struct vehicle *vehicle, const doubl
     rate[1] = vehicle->brake_moment * braking - force[0] * vehicle->pitch_share[0] - force[1] * vehicle->pitch_share[1];
 }
 
-/* Where the car meets `road_input`: both roads' velocities [m/s] and the braking [m/s^2]. */
-static inline struct state derivative(const struct vehicle *vehicle, const struct state *x, const double *command,
-                                      const double *road_input)
+/* What a car that is not linear meets in a fine step: the road's velocity as a polynomial of the time from its beginning
+   [m/s], and braking. */
+struct road_input {
+    double velocity[3][AXLES];
+    double braking; /* [m/s^2] */
+};
+
+/* The derivative at a time from the beginning of a fine step [s]; `plain`, a constant, where the vehicle `is_plain`. */
+static inline struct state derivative(const struct vehicle *vehicle, int plain, const struct state *x, const double *command,
+                                      const struct road_input *road, double time)
 {
     struct state rate;
     double force[AXLES];
     for (int axle = 0; axle < AXLES; axle++) {
-        double speed = travel_speed(vehicle, axle, x), passive = damping(vehicle, axle, speed);
-        double state = x->at[FORCE + axle], control = control_force(vehicle, axle, speed, passive, state);
-        force[axle] = suspension_force(vehicle, axle, x, speed, passive, control, road_input[BRAKING]);
+        double speed = travel_speed(vehicle, axle, x), state = x->at[FORCE + axle];
+        double passive = plain ? plain_damping(vehicle, axle, speed) : damping(vehicle, axle, speed);
+        double control = plain ? state : control_force(vehicle, axle, speed, passive, state);
+        double velocity = road->velocity[0][axle] + time * (road->velocity[1][axle] + time * road->velocity[2][axle]);
+        force[axle] = suspension_force(vehicle, axle, x, speed, passive, control, road->braking);
         rate.at[TRAVEL + axle] = speed;
-        rate.at[TYRE + axle] = x->at[WHEEL + axle] - road_input[axle];
+        rate.at[TYRE + axle] = x->at[WHEEL + axle] - velocity;
         rate.at[WHEEL + axle] = (tyre_load(vehicle, axle, x) + force[axle]) * vehicle->per_wheel_mass[axle];
-        rate.at[FORCE + axle] = vehicle->corner ? control_rate(vehicle, axle, speed, passive, command[axle], state) : 0;
+        rate.at[FORCE + axle] = 0;
+        if (!plain && vehicle->corner)
+            rate.at[FORCE + axle] = control_rate(vehicle, axle, speed, passive, command[axle], state);
     }
-    body_accelerations(vehicle, force, road_input[BRAKING], rate.at + BODY);
+    body_accelerations(vehicle, force, road->braking, rate.at + BODY);
     return rate;
 }
 
@@ -159,14 +181,15 @@ static inline struct state moved(const struct state *x, double time, const struc
 }
 
 /* One step h of the classical Runge-Kutta method; `first` is the derivative at its beginning. */
-static inline struct state runge_kutta_step(const struct vehicle *vehicle, double h, const double *command,
-                                            const double *road_input, const struct state *first, const struct state *x)
+static inline struct state runge_kutta_step(const struct vehicle *vehicle, int plain, double h, const double *command,
+                                            const struct road_input *road, double time, const struct state *first,
+                                            const struct state *x)
 {
     static const double share[3] = {0.5, 0.5, 1}, weight[3] = {1.0 / 3, 1.0 / 3, 1.0 / 6};
     struct state next = moved(x, h / 6, first), rate = *first;
     for (int stage = 0; stage < 3; stage++) {
         struct state at_stage = moved(x, share[stage] * h, &rate);
-        rate = derivative(vehicle, &at_stage, command, road_input);
+        rate = derivative(vehicle, plain, &at_stage, command, road, time + share[stage] * h);
         next = moved(&next, weight[stage] * h, &rate);
     }
     return next;
@@ -229,18 +252,19 @@ static double first_event(const struct vehicle *vehicle, const struct state *x, 
 }
 
 /* A step h in steps that end at the events that it meets. */
-static void step_to_events(const struct vehicle *vehicle, double h, const double *command, const double *road_input,
-                           struct state *x)
+static inline void step_to_events(const struct vehicle *vehicle, int plain, double h, const double *command,
+                                  const struct road_input *road, double time, struct state *x)
 {
     for (int events = 0;; events++) {
-        struct state first = derivative(vehicle, x, command, road_input);
-        struct state next = runge_kutta_step(vehicle, h, command, road_input, &first, x);
+        struct state first = derivative(vehicle, plain, x, command, road, time);
+        struct state next = runge_kutta_step(vehicle, plain, h, command, road, time, &first, x);
         double share = events < MOST_EVENTS ? first_event(vehicle, x, &next) : 1;
         if (share < 1)
-            next = runge_kutta_step(vehicle, share * h, command, road_input, &first, x);
+            next = runge_kutta_step(vehicle, plain, share * h, command, road, time, &first, x);
         *x = next;
         if (share == 1)
             return;
+        time += share * h;
         h -= share * h;
     }
 }
@@ -260,13 +284,30 @@ static void sample(const struct vehicle *vehicle, const struct state *x, double 
     body_accelerations(vehicle, force, braking, signals + ACCELERATION);
 }
 
-/* What the car meets in a fine step. */
+/* What a linear car meets in a fine step. */
 static inline void find_road_input(const struct car *me, int step, double *road_input)
 {
     const double *front = me->height + step, *rear = front + me->steps * me->fine + 1;
     road_input[0] = (front[1] - front[0]) * me->per_time;
     road_input[1] = (rear[1] - rear[0]) * me->per_time;
     road_input[BRAKING] = me->braking[step];
+}
+
+/* What another car meets. Its road is the chord and the polynomial of third degree 6 mean s (1 - s) - 60 moment s (1 - s)
+   (1 - 2 s) above it, s from 0 to 1. */
+static inline struct road_input shaped_road_input(const struct car *me, int step)
+{
+    double chord[DISTURBANCES], per = me->per_time;
+    find_road_input(me, step, chord);
+    struct road_input road = {.braking = chord[BRAKING]};
+    const double *mean = me->above_chord + (ptrdiff_t)2 * AXLES * step, *moment = mean + AXLES;
+    for (int axle = 0; axle < AXLES; axle++) {
+        double bow = mean[axle] * (6 * per), bend = moment[axle] * (60 * per);
+        road.velocity[0][axle] = chord[axle] + bow - bend;
+        road.velocity[1][axle] = (6 * bend - 2 * bow) * per;
+        road.velocity[2][axle] = bend * (-6 * per * per);
+    }
+    return road;
 }
 
 /* A linear car's sample. */
@@ -306,18 +347,19 @@ static inline void hold_linear(const struct car *me, int first, const double *co
 }
 
 /* The same of another car. */
-static void hold(const struct car *me, int first, const double *command, struct state *x, double (*samples)[SIGNALS])
+static inline void hold(const struct car *me, int plain, int first, const double *command, struct state *x,
+                        double (*samples)[SIGNALS])
 {
-    double road_input[DISTURBANCES], h = me->time / me->substeps;
+    double h = me->time / me->substeps;
     for (int j = 0; j < me->fine; j++) {
-        find_road_input(me, first + j, road_input);
+        struct road_input road = shaped_road_input(me, first + j);
         if (samples)
-            sample(me->vehicle, x, road_input[BRAKING], samples[j]);
+            sample(me->vehicle, x, road.braking, samples[j]);
         for (int step = 0; step < me->substeps; step++)
-            step_to_events(me->vehicle, h, command, road_input, x);
+            step_to_events(me->vehicle, plain, h, command, &road, step * h, x);
     }
     if (samples)
-        sample(me->vehicle, x, road_input[BRAKING], samples[me->fine]);
+        sample(me->vehicle, x, me->braking[first + me->fine - 1], samples[me->fine]);
 }
 
 struct estimator {
@@ -327,8 +369,8 @@ struct estimator {
 /* What the car's own sensors give: both deflections, the body's acceleration, the pitch rate. */
 static void measure(const struct vehicle *vehicle, const struct state *x, const double *command, double braking, double *y)
 {
-    const double level[DISTURBANCES] = {[BRAKING] = braking};
-    struct state rate = derivative(vehicle, x, command, level);
+    struct road_input level = {.braking = braking};
+    struct state rate = derivative(vehicle, 0, x, command, &level, 0);
     y[0] = x->at[TRAVEL];
     y[1] = x->at[TRAVEL + 1];
     y[2] = rate.at[BODY];
@@ -367,8 +409,10 @@ static void advance(struct car *me, int step, const double *now, const double *c
         hold_linear(me, first, command, x.at, samples, STATE);
     else if (me->linear)
         hold_linear(me, first, command, x.at, samples, NUMBERS);
+    else if (is_plain(me->vehicle))
+        hold(me, 1, first, command, &x, samples);
     else
-        hold(me, first, command, &x, samples);
+        hold(me, 0, first, command, &x, samples);
     memcpy(next + me->size - me->states, x.at, (size_t)me->states * sizeof(double));
     if (me->estimator) {
         double y[MEASURED];
@@ -423,14 +467,16 @@ void ridelab_measure(const struct car *me, int step, const double *now, const do
    are not read. The others as the struct has them. */
 void ridelab_prepare_car(struct car *me, const struct vehicle *vehicle, int states, int linear,
                          const double (*effects)[NUMBERS], int estimates, const struct estimator *estimator,
-                         const double *estimator_input, const double *height, const double *braking, int steps, int fine,
-                         int substeps, double time, struct recorder *recorder)
+                         const double *estimator_input, const double *height, const double *braking,
+                         const double *above_chord, int steps, int fine, int substeps, double time,
+                         struct recorder *recorder)
 {
     _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a car is prepared in memory of that size");
     *me = (struct car){.size = states + (estimates ? STATE : 0), .states = states, .linear = linear, .effects = effects,
                        .vehicle = vehicle, .estimator = estimates ? estimator : NULL,
-                       .estimator_input = estimator_input, .height = height, .braking = braking, .steps = steps,
-                       .fine = fine, .substeps = substeps, .time = time, .per_time = 1 / time, .recorder = recorder};
+                       .estimator_input = estimator_input, .height = height, .braking = braking,
+                       .above_chord = above_chord, .steps = steps, .fine = fine, .substeps = substeps, .time = time,
+                       .per_time = 1 / time, .recorder = recorder};
     for (int cause = 0; linear && cause <= NUMBERS; cause++) {
         struct state x = {{0}};
         if (cause < NUMBERS)

@@ -26,7 +26,7 @@ _prepare_run_inputs = Function("prepare_run_inputs", Array(_LAW_NUMBERS), Array(
 _prepare_car = Function(
     "prepare_car",
     *(Array(CAR), INT, INT, Array(CAUSES, NUMBERS), INT, Array(ESTIMATOR), _TABLE),
-    *(_TABLE, _LINE, INT, INT, INT, DOUBLE, Optional),
+    *(_TABLE, _LINE, _TABLE, INT, INT, INT, DOUBLE, Optional),
 )
 _sample = Function("sample", CStruct, _TABLE, INT, INT, _TABLE_OUT, _LINES_OUT)
 _follow_law = Function(
@@ -172,6 +172,8 @@ class DrivenCar:
         estimator_input: What is fed to it beforehand (steps, 8); of no steps without one.
         height: Of the road under both axles at the ends of all fine steps (2, n + 1) [m].
         braking: Deceleration in each fine step (n,) [m/s^2].
+        above_chord: How far the road lies above its chord in each fine step on average, front and rear, then its first
+            moments (n, 4) [m]; None where it is straight, as every road is to a linear car.
         substeps: Of Runge-Kutta in a fine step.
         fine_step: In s.
         recorder: Of its drive; None where nothing is measured.
@@ -192,6 +194,7 @@ class DrivenCar:
         estimator_input: FloatArray,
         height: FloatArray,
         braking: FloatArray,
+        above_chord: FloatArray | None,
         substeps: int,
         fine_step: float,
         recorder: Recorder | None,
@@ -200,13 +203,15 @@ class DrivenCar:
         require(states in (_STATES, NUMBERS), "A state of 8 or 10 numbers")
         require(min(steps, fine, substeps) > 0 and fine_step > 0, "A step or more")
         require(height.shape == (2, all_fine + 1) and len(braking) == all_fine, "Road and braking in every fine step")
+        above_chord = np.zeros((0 if linear else all_fine, 4)) if above_chord is None else above_chord
+        require(linear or above_chord.shape == (all_fine, 4), "Means and moments of both roads in every fine step")
         require(not estimates or estimator_input.shape == (steps, _STATES), "The estimator's input in every step")
         on_record = recorder is None or (recorder.fine, recorder.steps) == (fine, steps)
         require(on_record, "A recorder of this drive")
         self._prepared = _prepare_car.prepare(
             *(vehicle, states, int(linear), np.empty((CAUSES, NUMBERS)) if effects is None else effects),
             *(int(estimates), np.zeros(ESTIMATOR) if estimator is None else estimator, estimator_input),
-            *(height, braking, steps, fine, substeps, fine_step, recorder and recorder.prepared),
+            *(height, braking, above_chord, steps, fine, substeps, fine_step, recorder and recorder.prepared),
         )
         self.size, self._steps, self.fine = states + (_STATES if estimates else 0), steps, fine
 

@@ -9,6 +9,7 @@
 
 enum shape { COSINE, HALF_SINE, CIRCULAR, FLAT_TOP, TRAPEZOID, KERB, SHAPES };
 
+enum { SIMPSON_PARTS = 4 }; /* of a fine step on a bump */
 static const double PI = 3.14159265358979323846;
 
 RIDELAB_NUMBERS_OF(layout)
@@ -83,4 +84,45 @@ void ridelab_road_heights(const double *roughness, int samples, const struct lay
     const struct road road = ridelab_road(roughness, samples, layout);
     for (int i = 0; i < n; i++)
         height[i] = ridelab_road_height(&road, position[i]);
+}
+
+/* How far a road lies above its chord on average, and the first moment of that [m]. Where the slope changes by k, at distances a
+   and b from the ends, that adds -k a b / (2 (a + b)) to the mean and -k a b (a - b) / (12 (a + b)^2) to the moment. The
+   bumps are judged at `SIMPSON_PARTS` - 1 places in between. */
+static double above_chord(const struct road *road, double begin, double end, double *moment)
+{
+    double length = end - begin, all = *moment = 0;
+    if (!(length > 0))
+        return 0;
+    double per_length = 1 / length, first = (begin - road->at.first) * road->cells;
+    int last = (int)between(0, first + length * road->cells, road->samples - 2);
+    for (int i = (int)between(0, first, road->samples) + 1; i <= last; i++) {
+        const double *z = road->roughness + i;
+        double a = road->at.first + i * road->at.grid - begin, b = length - a;
+        double mean = -(z[1] - 2 * z[0] + z[-1]) * (road->cells / 2) * (a * b * per_length);
+        all += mean;
+        *moment += mean * (a - b) * (per_length / 6);
+    }
+    if (end > road->at.bump.start && begin < road->at.bump.until) {
+        double low = ridelab_bump_height(&road->at.bump, begin), rise = ridelab_bump_height(&road->at.bump, end) - low;
+        for (int part = 1; part < SIMPSON_PARTS; part++) {
+            double share = (double)part / SIMPSON_PARTS, weight = (part % 2 ? 4.0 : 2.0) / (3 * SIMPSON_PARTS);
+            double mean = weight * (ridelab_bump_height(&road->at.bump, begin + length * share) - low - rise * share);
+            all += mean;
+            *moment += mean * (share - 0.5);
+        }
+    }
+    return all;
+}
+
+/* `car.above_chord` from the positions of both axles at every fine instant, 2 x (steps + 1) [m]. */
+void ridelab_above_chords(const double *roughness, int samples, const struct layout *layout, const double *position,
+                          int steps, double *above)
+{
+    const struct road road = ridelab_road(roughness, samples, layout);
+    for (int axle = 0; axle < AXLES; axle++, position += steps + 1)
+        for (int i = 0; i < steps; i++) {
+            double *of_step = above + (ptrdiff_t)2 * AXLES * i + axle;
+            of_step[0] = above_chord(&road, position[i], position[i + 1], of_step + AXLES);
+        }
 }

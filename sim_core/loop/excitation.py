@@ -12,12 +12,13 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.control.controller import Controller
+from sim_core.kernel import binding
 from sim_core.road.profile import GRID, RoadProfile, detail, road_profile
 from sim_core.scenario import Road, Scenario
 from sim_core.speed.profile import SPEED_CONTROL_PERIOD, SpeedPlan, SpeedProfile
 
 FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
-NONLINEAR = 4.0  # so many times as short is a step of what is not linear: it amplifies what a straight road leaves out
+ON_STOP = 1e-4  # longest fine step of a car that rests on a stop: each small motion meets the kink of its force [s]
 SHORT_STEP = 1e-3  # longest step in which a delayed controller's commands may arrive [s]
 
 
@@ -94,19 +95,18 @@ def step_sizes(scenario: Scenario, controller: Controller, plan: SpeedPlan) -> S
     """Return those of a controller's run at that speed plan."""
     control = scenario.mpc.sample_time if controller.actuated else SPEED_CONTROL_PERIOD
     short = ceil(control / SHORT_STEP - 1e-9) if controller.delayed else 1
-    semi_active = controller.dampers() is not None
-    longest = longest_fine_step(scenario, plan, actuated=controller.actuated, semi_active=semi_active)
+    longest = longest_fine_step(scenario, plan, actuated=controller.actuated)
     return StepSizes(control=control, short=short, fine=short * ceil(control / short / longest - 1e-9))
 
 
-def longest_fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool, semi_active: bool = False) -> float:
+def longest_fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool) -> float:
     """Return the longest fine step [s].
 
-    60 over the bump (or its two ramps), 0.1 rad of the wheels, a grid step of the road, 1 ms; shorter for cars that are
-    not linear. Between the ends of a fine step the road is taken as straight, so its curvature and the sampling of
-    peaks need it short; tests/validation holds metrics against steps of 0.02 ms. The bump counts at the initial speed,
-    the rough road at the speed that is held for long, with lagging actuators at the initial speed too: without jumps of
-    the force the peaks lie where the road's slope changes.
+    60 over the bump (or its two ramps), 0.1 rad of the wheels, a grid step of the road, 1 ms; shorter for a car that
+    rests on a stop. Between the ends of a fine step the road is taken as straight, by cars that are not linear as a
+    polynomial, so its curvature and the sampling of peaks need it short; tests/validation holds metrics against steps
+    of 0.02 ms. The bump counts at the initial speed, the rough road at the speed that is held for long, with lagging
+    actuators at the initial speed too: without jumps of the force the peaks lie where the road's slope changes.
     """
     vehicle, bump, speed = scenario.real_vehicle, scenario.road.bump, scenario.speed
     stop = 0.0 if vehicle.bump_stop_clearance is None else vehicle.bump_stop_stiffness
@@ -120,10 +120,8 @@ def longest_fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool, se
     if plan == "planned" and not lagging:
         held = min(held, speed.target)
     over_grid = COARSEST if scenario.road.is_smooth else GRID / held
-    if min(min(each) for each in vehicle.stop_clearances) < 0:
-        return FINEST  # it rests on a stop: each small motion meets the kink of its force
-    linear = min(COARSEST, 0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)
-    return max(FINEST, linear if vehicle.linear and not semi_active else linear / NONLINEAR)
+    longest = ON_STOP if min(min(each) for each in vehicle.stop_clearances) < 0 else COARSEST
+    return min(longest, max(FINEST, min(0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)))
 
 
 @cached
@@ -149,6 +147,13 @@ def excite(road: Road, rear_axle_offset: float, speed_profile: SpeedProfile, ste
         height=height,
         series=grid.series | {"front_road": front, "rear_road": rear},
     )
+
+
+@cached
+def above_chords(excitation: Excitation) -> FloatArray:
+    """Return how far the road lies above its chord in each fine step on average, then its first moments (n, 4) [m]."""
+    surface = excitation.surface
+    return binding.above_chords(surface.roughness, surface.layout, excitation.grid.axles)
 
 
 @cached

@@ -16,14 +16,14 @@ from sim_core.kernel.prepared import DrivenCar
 from sim_core.kernel.record import Recorder
 from sim_core.loop.closed_loop import ClosedLoop, Trajectory
 from sim_core.loop.delayed_loop import DelayedLoop
-from sim_core.loop.excitation import Excitation, StepSizes
+from sim_core.loop.excitation import Excitation, StepSizes, above_chords
 from sim_core.loop.preview import Forecast, preview
 from sim_core.result import Span
 from sim_core.scenario import Actuator, Preview, Scenario
 from sim_core.speed.profile import SpeedPlan, SpeedProfile
 from sim_core.speed.stages import Segment
 from sim_core.vehicle.estimator import make_estimator, sensor_noise
-from sim_core.vehicle.make import make_vehicle
+from sim_core.vehicle.make import is_linear, make_vehicle
 from sim_core.vehicle.model import Estimator, SemiActiveDampers
 
 
@@ -190,6 +190,7 @@ class Run:
     def car(self, recorder: Recorder | None = None) -> DrivenCar:
         """Return the car on its road, and what measures its drive."""
         scenario, excitation = self.scenario, self.excitation
+        dampers = run_dampers(scenario, self.controller)
         return make_vehicle(
             scenario.real_vehicle,
             self.actuator,
@@ -197,8 +198,9 @@ class Run:
             self.steps.fine // self.steps.short,
             excitation.height,
             excitation.braking,
+            above_chord=None if is_linear(scenario.real_vehicle, dampers) else above_chords(excitation),
             estimator=self.estimator(),
-            dampers=run_dampers(scenario, self.controller),
+            dampers=dampers,
             recorder=recorder,
         )
 

@@ -20,11 +20,12 @@ def make_vehicle(
     height: FloatArray,
     braking: FloatArray,
     *,
+    above_chord: FloatArray | None = None,
     estimator: Estimator | None = None,
     dampers: SemiActiveDampers | None = None,
     recorder: Recorder | None = None,
 ) -> DrivenCar:
-    """Return a car on its road, which is straight within a fine step.
+    """Return a car on its road.
 
     Args:
         vehicle: The real one.
@@ -33,6 +34,7 @@ def make_vehicle(
         fine: Fine steps in each of its steps.
         height: Of the road under both axles at the ends of all fine steps (2, n + 1) [m].
         braking: Deceleration in each fine step (n,) [m/s^2].
+        above_chord: How far the road lies above its chord, as `DrivenCar` has it.
         estimator: Between car and controller; None where that has the state itself.
         dampers: Its dampers where they are semi-active; None where actuators act beside passive ones.
         recorder: What measures its drive; None for nothing.
@@ -48,6 +50,7 @@ def make_vehicle(
         estimator_input=np.empty((0, STATES)) if estimator is None else np.ascontiguousarray(estimator.input),
         height=height,
         braking=braking,
+        above_chord=above_chord,
         substeps=1 if linear else substeps(vehicle, actuator, dampers, fine_step),
         fine_step=fine_step,
         recorder=recorder,

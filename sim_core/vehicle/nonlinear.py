@@ -20,7 +20,7 @@ from sim_core.scenario.damper import MOST_POINTS, hardest, with_origin
 from sim_core.vehicle.half_car import deflection_speeds, half_car
 from sim_core.vehicle.model import SemiActiveDampers
 
-_LONGEST_ANGLE = 0.09  # of the fastest pole in one step of Runge-Kutta [rad]; larger ones miss test_nonlinear_loops
+_LONGEST_ANGLE = 0.045  # of the fastest pole in a step of Runge-Kutta [rad]; 0.09 misses test_nonlinear_loops by far
 # Of a semi-active damper that no limit is given for: it does not stop a wheel faster [s]. Without this its coefficient
 # would be infinite whenever travel turns, and a lagging actuator would keep it so.
 _SHORTEST_STOP = 1e-3

@@ -21,6 +21,7 @@ def still_car(steps: int = 6, fine: int = 1, **changed: Any) -> prepared.DrivenC
         "estimator_input": np.empty((0, 8)),
         "height": np.zeros((2, steps * fine + 1)),
         "braking": np.zeros(steps * fine),
+        "above_chord": None,
         "substeps": 1,
         "fine_step": 1e-3,
         "recorder": None,

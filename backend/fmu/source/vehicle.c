@@ -14,12 +14,14 @@ struct estimator;
 enum { LAGGING = STATE + FORCES };
 void ridelab_prepare_car(struct car *me, const struct vehicle *vehicle, int states, int linear,
                          const double (*effects)[LAGGING], int estimates, const struct estimator *estimator,
-                         const double *estimator_input, const double *height, const double *braking, int steps, int fine,
-                         int substeps, double time, struct recorder *recorder);
+                         const double *estimator_input, const double *height, const double *braking,
+                         const double *above_chord, int steps, int fine, int substeps, double time,
+                         struct recorder *recorder);
 int ridelab_size_of_vehicle(void);
 int ridelab_size_of_curve_points(void);
 void ridelab_sample(struct car *me, const double *loop, int first, int steps, double (*one)[SIGNALS], double *samples);
 
+static const double STRAIGHT[2 * AXLES] = {0}; /* above its chord */
 static const double MOST_SUBSTEPS = 1e6;
 
 /* The value references that it wants, by the variables' names: of each the first of so many. */
@@ -104,7 +106,7 @@ static void drive(const double *value, struct memory *me, const double *height, 
     memcpy(rows + states, me->command, sizeof me->command);
     memcpy(second + states, value + me->at.force_front, FORCES * sizeof(double));
     ridelab_prepare_car(car, (const struct vehicle *)me->vehicle, states, 0, NULL, 0, NULL, NULL, heights,
-                        value + me->at.braking, 1, 1, (int)substeps, step, NULL);
+                        value + me->at.braking, STRAIGHT, 1, 1, (int)substeps, step, NULL);
     ridelab_drive(car, 0, rows, second + states, second);
     ridelab_sample(car, rows, 0, 1, samples, by_signal);
     memcpy(next, second, (size_t)states * sizeof(double));
