@@ -44,20 +44,13 @@ NO_COMPILERS = "--js-flags=--no-maglev --no-turbofan"  # no test's page lives lo
 DOWNLOAD = [sys.executable, "-m", "playwright", "install", "chromium"]  # the whole browser, and its shell
 
 
-def launch(playwright: Playwright, *, back_forward_cache: bool = False, compilers: bool = False) -> Browser:
-    """Starts it, by itself without the back/forward cache: Playwright does not follow a page that it brings back.
-
-    The shell has none: with it, it is the whole browser. With `compilers` scripts run as fast as at a visitor's.
-    """
-    path = next(filter(None, map(shutil.which, NAMES if back_forward_cache else (SHELL, *NAMES))), None)
+def launch(playwright: Playwright, *, compilers: bool = False) -> Browser:
+    """Start it; with `compilers` scripts run as fast as at a visitor's."""
+    path = next(filter(None, map(shutil.which, (SHELL, *NAMES))), None)
     if path is None and not _downloaded():
         path = find("chromium", package="chromium")
-    return playwright.chromium.launch(
-        executable_path=path,
-        channel="chromium" if path is None and back_forward_cache else None,
-        args=ARGUMENTS if compilers else (*ARGUMENTS, NO_COMPILERS),
-        ignore_default_args=["--disable-back-forward-cache"] if back_forward_cache else [],
-    )
+    arguments = ARGUMENTS if compilers else (*ARGUMENTS, NO_COMPILERS)
+    return playwright.chromium.launch(executable_path=path, args=arguments)
 
 
 def _downloaded() -> bool:

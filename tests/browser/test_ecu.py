@@ -8,7 +8,9 @@ from playwright.sync_api import Page
 
 from tests.browser.dashboard import WINDOWS, Dashboard, expect
 from tests.browser.server import Server
+from tests.servers.process import ROOT
 
+REPORT = ROOT / "tests/data/ecu_report.json"
 SIGNALS = ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_tyre_load")
 SHORT = {
     "road": {"length": 40, "bump": {"start": 20, "height": 0.05}},
@@ -41,27 +43,12 @@ def expect_rule(page: Page, answer: dict[str, Any]) -> None:
     assert marks == [str(each).lower() for each in within]
 
 
-def made_up_report() -> dict[str, Any]:
-    """Two controllers, so that the page needs no compiler for ten seconds; tests/api checks the real report's shape."""
-    row = {
-        "prediction_horizon": 30, "control_horizon": 20, "checked": "all", "checked_rows": 100, "iterations": 30,
-        "code": 9572, "constants": 241080, "variables": 9348, "operations": {"least": 10306, "most": 10518},
-        "time": {"least": 0.0295, "most": 0.0301}, "most_iterations": 1, "unfinished": 0, "fits": False,
-        "reasons": ["the longest step takes about 30.1 ms of 10 ms"],
-        "changes": {window: dict.fromkeys(SIGNALS, 1.0) for window in WINDOWS},
-    }  # fmt: skip
-    small = row | {"prediction_horizon": 10, "control_horizon": 5, "fits": True, "reasons": [], "unfinished": 5}
-    return {
-        "part": {"name": "STM32F103xE", "clock": 72e6, "flash": 524288, "ram": 65536, "stack": 1024},
-        "sample_time": 0.01, "cycles_per_operation": 206.0, "spread": 0.17, "rows": [row, small],
-    }  # fmt: skip
-
-
 def test_the_loop_is_held_to_the_rule_the_report_says_what_fits_and_the_controller_is_taken_along(
     dashboard: Dashboard, server: Server
 ) -> None:
+    """Of a made-up report, for which the page needs no compiler for ten seconds; tests/api checks the real one."""
     page = dashboard.page
-    page.route("**/controller/report", lambda route: route.fulfill(json=made_up_report()))
+    page.route("**/controller/report", lambda route: route.fulfill(path=REPORT))
     page.goto("/ecu")
     expect(page.get_by_text("This is software in the loop with the ECU’s code, not a bench")).to_be_visible()
     expect_rule(page, run(server, {}))

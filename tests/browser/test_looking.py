@@ -8,26 +8,6 @@ from playwright.sync_api import Locator
 from tests.browser.dashboard import THOROUGH, Dashboard, centre, expect
 from tests.browser.server import Server
 
-CUT = """results => [...results.querySelectorAll('h2, h3, p, span, button, th')]
-  .filter(each => getComputedStyle(each).overflowX === 'hidden' && each.scrollWidth > each.clientWidth + 1)
-  .filter(each => !each.matches('.visually-hidden')).map(each => each.textContent)"""
-
-
-@pytest.mark.thorough
-def test_nothing_readable_is_cut(dashboard: Dashboard) -> None:
-    """Neither a sentence, which would end in an ellipsis, nor a strategy's chip."""
-    dashboard.open()
-    page = dashboard.page
-    dashboard.toggle("Single suspension control")
-    dashboard.toggle("Hybrid hook")
-    chips = page.get_by_role("group", name="Strategies")
-    page.get_by_text("Plot differences").click()
-    expect(page.get_by_text(", change against ").first).to_be_visible()
-    for width, height in ((1440, 900), (1024, 768), (390, 844)):
-        page.set_viewport_size({"width": width, "height": height})
-        assert chips.evaluate("chips => chips.scrollWidth <= chips.clientWidth"), width
-        assert dashboard.results.evaluate(CUT) == [], width
-
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("path", ["/", "/sweeps", "/robustness", "/tuner", "/paper", "/ecu"])
@@ -133,32 +113,6 @@ def test_opens_on_the_papers_bump_which_every_plot_shows_and_one_cursor_reads(
     page.evaluate("document.activeElement.blur()")
     page.keyboard.press("Space")
     expect(page.get_by_role("button", name="Pause", exact=True)).to_be_visible()
-
-
-@pytest.mark.thorough
-def test_a_panel_opens_enlarged_in_plotly(dashboard: Dashboard) -> None:
-    """Which is loaded for it, not before: with values under the pointer, a box to zoom into, and a picture."""
-    loaded: list[str] = []
-    page = dashboard.page
-    page.on("request", lambda request: loaded.append(request.url))
-    dashboard.open()
-    page.wait_for_load_state("networkidle")
-    assert not any("charts" in url for url in loaded)
-    page.get_by_role("button", name="Enlarge figure: Body acceleration").click()
-    figure = page.get_by_role("dialog", name="Body acceleration")
-    expect(figure.locator(".scatterlayer .trace")).to_have_count(3)
-    x, y, width = centre(figure.locator(".nsewdrag").first)
-    page.mouse.move(x, y)
-    expect(figure.locator(".hoverlayer")).to_contain_text("m/s²")
-    dashboard.expect_accessible(figure)
-    tick = figure.locator(".xaxislayer-above .xtick text").first
-    before = tick.text_content() or ""
-    with dashboard.held_at(x, y) as mouse:
-        mouse.move(x + width / 5, y, steps=4)
-    expect(tick).not_to_have_text(before)
-    page.mouse.move(x, y)
-    saved = dashboard.downloaded(figure.locator(".modebar-btn").first)
-    assert saved.suggested_filename == f"ridelab-{dashboard.run_id}-body_acceleration.svg"
 
 
 def test_everything_goes_by_keyboard_and_undo_is_the_scenarios_wherever_the_focus_is(dashboard: Dashboard) -> None:

@@ -49,19 +49,6 @@ def test_what_is_not_there_is_said_beside_the_navigation(dashboard: Dashboard) -
         expect(page.get_by_role("navigation", name="Pages").get_by_role("link", name="Lab")).to_be_visible()
 
 
-@pytest.mark.thorough
-def test_opening_while_the_server_starts(dashboard: Dashboard) -> None:
-    """Every request fails at first, as behind a proxy whose server is not up yet; then the page fills by itself."""
-    page = dashboard.page
-    refused = "**/{api,readyz}**"
-    page.route(refused, lambda route: route.fulfill(status=503, body="{}", headers={"retry-after": "1"}))
-    page.goto("/")
-    expect(page.get_by_test_id("connection")).to_contain_text("starting")
-    page.unroute(refused)
-    dashboard.expect_curves()
-    expect(page.get_by_test_id("connection")).to_have_count(0)
-
-
 def finished(sweep: Page) -> int:
     return int(sweep.get_by_test_id("batch-counts").inner_text().split(" ")[0])
 

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page, Route
+from playwright.sync_api import Page
 
 from tests.browser.dashboard import THOROUGH, Dashboard, expect
 from tests.browser.server import Server
@@ -93,40 +93,6 @@ def test_a_switch_changes_address_and_count_and_only_tables_scroll_sideways(
     expect(paper).to_have_url(re.compile(r"/paper$"))
     dashboard.expect_no_wider(400)
     assert paper.get_by_role("region", name="Table 4").evaluate("region => region.scrollWidth > region.clientWidth")
-
-
-PENDING = {"our_change": None, "ci": None, "verdict": "pending", "certain": None}
-
-
-def early(paper: dict[str, Any]) -> dict[str, Any]:
-    """The same answer while only the cells of Table 4 are there."""
-    missing = PENDING | {"our_value": None, "our_base": None, "without_preview": PENDING}
-    cells = [cell if cell["table"] == 4 else cell | missing for cell in paper["cells"]]
-    counts = {name: [cell["verdict"] for cell in cells].count(name) for name in VERDICTS}
-    patched = {"cells": cells, "counts": counts, "reached": counts["reached"]}
-    return paper | patched | {"complete": False, "progress": {"done": 60, "total": 420}}
-
-
-@pytest.mark.thorough
-def test_cells_come_as_they_are_computed_and_nothing_jumps(dashboard: Dashboard) -> None:
-    page = dashboard.page
-
-    def answer_early(route: Route) -> None:
-        route.fulfill(json=early(route.fetch().json()))
-
-    page.route("**/api/v1/paper?partial=true", answer_early)
-    page.route("**/api/v1/paper/*", lambda _: None)  # what follows the tables stays as high as it is
-    page.goto("/paper")
-    expect(page.get_by_test_id("progress")).to_have_text("60 of 420 runs")
-    pending = page.locator("table[data-table] tr[data-verdict=pending]")
-    expect(pending).to_have_count(40)
-    places = "() => [...document.querySelectorAll('section[id], table[data-table]')].map(each => each.offsetTop)"
-    before = page.evaluate(places)
-    page.unroute("**/api/v1/paper?partial=true")
-    expect(pending).to_have_count(0)
-    after = page.evaluate(places)
-    moved = max(abs(new - old) for old, new in zip(before, after, strict=True))
-    assert moved < 60  # [px]: an uncertain verdict may take a line
 
 
 def test_figures_are_drawn_parts_sorted_and_the_scenario_opens_in_the_lab(

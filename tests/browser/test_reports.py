@@ -9,7 +9,6 @@ from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Downloa
 
 from backend.runs.figures import PANELS
 from tests.browser.dashboard import RULES, THOROUGH, Dashboard, Scheme, expect, violations
-from tests.servers.process import request
 
 TICKS: dict[Scheme, str] = {"light": "rgb(74, 85, 91)", "dark": "rgb(169, 179, 185)"}
 DRAWN = "[data-figure] .scatterlayer .trace"
@@ -112,13 +111,3 @@ def test_the_lab_is_printed_and_its_report_works_offline(
     assert page.evaluate("window.printed") == [f"paper 3 {TICKS['light']}"] * len(PANELS)
     expect(axis).to_have_css("fill", TICKS["dark"])
     assert failures == []
-
-
-@pytest.mark.thorough
-def test_the_same_report_opens_by_its_address_under_a_policy_of_its_own(dashboard: Dashboard) -> None:
-    dashboard.open()
-    download, failures = saved_report(dashboard), list[str]()
-    report = opened(dashboard.page.context, download.url, failures)
-    assert [text for text in failures if "favicon" not in text] == []
-    assert request("GET", download.url).content == download.path().read_bytes()
-    report.close()

@@ -17,27 +17,6 @@ def expect_change(dashboard: Dashboard, strategy: str, change: dict[str, float])
 
 
 @pytest.mark.thorough
-def test_a_stored_run_opens_with_its_statistics(dashboard: Dashboard, server: Server) -> None:
-    body = {"scenario": {"road": {"seed": 7}}, "strategies": ["lv", "lqr", "passive"], "roads": 3, "baseline": "lqr"}
-    run = server.post("/runs", body)
-    dashboard.open(f"/r/{run['id']}")
-    note = dashboard.page.get_by_test_id("roads")
-    expect(note).to_contain_text("Mean of 3 roads")
-    expect(note).to_contain_text("road seed 7")
-    expect(dashboard.row("lqr")).to_have_attribute("data-baseline", "true")
-    for strategy, entry in run["strategies"].items():
-        mean = entry["metrics"]["bump"]["body_acceleration"]["peak"]["mean"]
-        assert float(dashboard.row(strategy).locator(PEAK).get_attribute("data-value") or 0) == pytest.approx(mean)
-    expect_change(dashboard, "lv", run["changes"]["lv"]["bump"]["body_acceleration"]["peak"])
-    # Against another strategy they are paired as well, of the same run.
-    dashboard.row("passive").get_by_title("Compare with Passive").click()
-    changes = server.get(f"/runs/{run['id']}/changes?baseline=passive")["changes"]
-    expect_change(dashboard, "lqr", changes["lqr"]["bump"]["body_acceleration"]["peak"])
-    dashboard.expect_no_wider(1440, 820, 400)
-    dashboard.expect_accessible(dashboard.page.get_by_role("region", name="Comparison"))
-
-
-@pytest.mark.thorough
 def test_several_roads_are_chosen_and_changes_against_a_pin_and_the_state_before_are_paired_by_road(
     dashboard: Dashboard, server: Server
 ) -> None:

@@ -3,7 +3,6 @@
 import re
 from typing import Any
 
-import pytest
 from playwright.sync_api import Locator, Page
 
 from tests.browser.dashboard import Dashboard, expect
@@ -66,17 +65,3 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     # Another process: the blocks a law is computed in may differ in their last bits.
     ours = opened["strategies"]["lv"]["metrics"]["bump"]["body_acceleration"]["peak"]
     assert abs(ours / worst["value"] - 1) < 1e-9
-
-
-@pytest.mark.thorough
-def test_unstable_loops_are_said_before_anything_else(dashboard: Dashboard, server: Server) -> None:
-    sweep = {"latin_hypercube": {"ranges": {"mismatch.damping": [0.2, 0.6]}, "samples": 8}}
-    body = {"scenario": SHORT, "strategies": ["lv", "passive"], "sweep": sweep}
-    batch = server.post("/batches", body)
-    page = dashboard.page
-    page.goto(f"/robustness/{batch['id']}")
-    expect(page.locator(RESULTS)).to_be_visible()
-    expect(page.get_by_test_id("unstable")).to_contain_text("LV control is unstable at 8 of 8 points")
-    expect(page.get_by_test_id("unstable")).not_to_contain_text("Passive")
-    page.get_by_role("button", name="Change it").click()
-    expect(page.get_by_role("form", name="Study").get_by_label("Damping, to")).to_have_value("0.6")

@@ -6,10 +6,9 @@ import re
 import pytest
 from playwright.sync_api import Locator, Page, Route
 
-from tests.browser.dashboard import Dashboard, centre, expect
+from tests.browser.dashboard import Dashboard, expect
 from tests.browser.server import Server
 from tests.browser.test_sharing import share
-from tests.there import there
 
 
 def open_dialog(page: Page) -> Locator:
@@ -206,35 +205,3 @@ def test_a_point_says_where_it_is_and_whether_to_believe_it_and_a_shared_sweep_o
     expect(page.get_by_role("combobox", name="Metric")).to_have_value("Travel time")
     expect(passive).to_have_attribute("aria-pressed", "false")
     expect(page.locator("tbody tr[data-status=ok]")).to_have_count(4)
-
-
-@pytest.mark.thorough
-def test_ten_thousand_runs_are_plotted_and_opened(dashboard: Dashboard, server: Server) -> None:
-    """More points than a page can hold as elements; the rows are made up, the run opened is not."""
-    page, size = dashboard.page, 10_000
-    path = server.submit({"grid": {"road.bump.height": [0.05, 0.1]}}, ["lv"])
-
-    def many(route: Route) -> None:
-        answer = route.fetch().json()
-        answer["columns"] = {name: [values[0]] * size for name, values in answer["columns"].items()} | {
-            "run": list(range(size)),
-            "road.bump.height": [0.05 + 0.1 * index / size for index in range(size)],
-            "bump.body_acceleration.peak": [1 + (index % 100) / 100 for index in range(size)],
-        }
-        route.fulfill(json=answer)
-
-    page.route("**/table?*", many)
-    page.goto(path)
-    expect_done(page)
-    plot = page.locator("[data-points='10000']")
-    expect(plot).to_be_visible()
-    expect(page.locator(".scatterlayer .point")).to_have_count(5)  # the corners plotly needs, and the ring
-    page.get_by_role("button", name="Page 200", exact=True).click()
-    expect(page.locator("tr[data-run='9999']")).to_be_visible()
-    x, y, _ = centre(plot)
-    y -= there(plot.bounding_box())["height"] / 4
-    page.mouse.move(x, y)
-    expect(page.get_by_test_id("tip")).to_contain_text(re.compile(r"LV control.*Height \d+(\.\d+)?\scm"))
-    page.mouse.click(x, y)
-    dashboard.expect_curves()
-    assert 0.09 < dashboard.stored_run()["scenario"]["road"]["bump"]["height"] < 0.11

@@ -73,28 +73,6 @@ def test_a_tuning_from_the_lab_and_back(dashboard: Dashboard, server: Server) ->
 
 
 @pytest.mark.thorough
-def test_the_form_says_what_cannot_be_tuned(dashboard: Dashboard) -> None:
-    page = dashboard.page
-    page.goto("/tuner?run=AAAAAAAAAAAAAAAAAAAAAA")
-    expect(page.get_by_text("There is no run at this address: choose another scenario")).to_be_visible()
-    page.get_by_label("Scenario", exact=True).select_option("preset paper")
-    expect(page).to_have_url(re.compile(r"/tuner\?preset=paper$"))
-    start = page.get_by_role("button", name="Start")
-    expect(start).to_be_enabled()
-    page.get_by_label("Brake, Pitch acceleration, from").fill("60")
-    expect(page.get_by_role("alert")).to_have_text("Brake, Pitch acceleration: From has to be less than To")
-    dashboard.expect_accessible()
-    page.get_by_label("Tune Brake, Pitch acceleration").uncheck()
-    expect(start).to_be_enabled()
-    page.get_by_role("textbox", name="Training roads").fill("1-64")  # allowed by the fields, not by the server
-    page.get_by_role("textbox", name="Trials").fill("5000")
-    expect(page.get_by_test_id("estimate")).to_contain_text("over the limit of")
-    expect(start).to_be_disabled()
-    page.get_by_role("button", name="Reset").click()
-    expect(page.get_by_role("textbox", name="Trials")).to_have_value("200")
-
-
-@pytest.mark.thorough
 def test_a_front_is_looked_at_point_by_point(dashboard: Dashboard, server: Server) -> None:
     page = dashboard.page
     objectives = [{"kind": "paper"}, {"kind": "peaks"}]

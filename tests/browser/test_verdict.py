@@ -35,25 +35,3 @@ def test_says_who_won_which_curve_is_whose_and_what_an_edit_changed(dashboard: D
     dashboard.edit("Height", "12 cm")
     comparison.get_by_role("button", name="Pin").click()
     expect(page.get_by_role("list", name="Pinned results")).to_contain_text("Bump height 12\u00a0cm")
-
-
-def test_the_chosen_baseline_stays_when_it_is_hidden(dashboard: Dashboard) -> None:
-    """In select, table and verdict alike; an edit computes it, too."""
-    page = dashboard.page
-    dashboard.open()
-    told = page.get_by_test_id("verdict").get_by_role("status")
-    baseline = page.get_by_role("region", name="Comparison", exact=True).get_by_label("Change against")
-    change = dashboard.row("lqr").locator("[data-cell='bump.body_acceleration.peak']")
-    before = change.inner_text()
-    dashboard.chip("Passive").click()
-    expect(dashboard.row("passive")).to_have_count(0)
-    assert change.inner_text() == before
-    dashboard.edit("Height", "12 cm")
-    page.reload()
-    expect(baseline).to_have_value("strategy:passive")
-    expect(baseline.locator("option:checked")).to_have_text("Passive (hidden)")
-    expect(told).to_contain_text("than with Passive")
-    expect(change).to_contain_text("▼ −")
-    assert list(dashboard.stored_run()["strategies"]) == ["lv", "lqr", "passive"]
-    baseline.select_option("LQR")
-    expect(told).to_contain_text("than with LQR")
