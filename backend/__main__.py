@@ -128,7 +128,7 @@ def _end_with_the_input() -> None:
 
 
 def _explain_limits(options: argparse.Namespace) -> int:
-    from backend.gate.gate import Gate, explained
+    from backend.gate import Gate, explained
 
     limits = Gate(_settings(options)).limits()
     _say(explained(limits), limits, as_json=options.json)

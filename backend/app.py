@@ -28,9 +28,7 @@ from backend.compute import memory
 from backend.compute.workers import Workers
 from backend.file_formats import BINARY
 from backend.http import openapi, problems
-from backend.http.body_rate import BodyRateMiddleware
-from backend.http.guard import GuardMiddleware
-from backend.http.request_log import RequestLogMiddleware
+from backend.http.middleware import RequestMiddleware
 from backend.http.tokens import TokenMiddleware
 from backend.library import answers
 from backend.services import Services, interactive_workers, make_services
@@ -99,9 +97,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
         lifespan=_lifespan,
         redirect_slashes=False,  # the address it would send people to comes from the request
         middleware=[
-            Middleware(RequestLogMiddleware),
-            Middleware(BodyRateMiddleware),
-            Middleware(GuardMiddleware, settings.hosts),
+            Middleware(RequestMiddleware, settings.hosts),
             *by_token,
             Middleware(
                 GZipMiddleware,
@@ -111,7 +107,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
             ),
         ],
     )
-    app.state.services = services  # read by `services_of` and `request_context`, which say its type
+    app.state.services = services
     problems.register(app)
     for router in ROUTERS:
         app.include_router(router)

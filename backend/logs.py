@@ -3,10 +3,12 @@
 import json
 import logging
 import sys
+from contextvars import ContextVar
 from datetime import UTC, datetime
 from typing import Literal
 
 Level = Literal["debug", "info", "warning", "error"]
+REQUEST_ID: ContextVar[str] = ContextVar("request_id", default="")  # of the current request; empty outside one
 
 # Control characters, and those at which some viewers break a line, as their escapes.
 CONTROL = {code: f"\\x{code:02x}" for code in (*range(0x20), *range(0x7F, 0xA0))} | {
@@ -25,12 +27,10 @@ class Lines(logging.Formatter):
 
     def format(self, record: logging.LogRecord) -> str:
         """Return a line; in text a traceback follows it."""
-        from backend.http.request_log import request_id  # the web stack, which a start imports last
-
         time = datetime.fromtimestamp(record.created, UTC).isoformat(timespec="microseconds").replace("+00:00", "Z")
         line = {"event": record.getMessage(), "level": record.levelname.lower(), "logger": record.name}
         line |= {"timestamp": time, **{name: value for name, value in vars(record).items() if name not in USUAL}}
-        if request := request_id():
+        if request := REQUEST_ID.get():
             line["request_id"] = request
         trace = self.formatException(record.exc_info) if record.exc_info else ""
         if not self._as_text:  # whatever a text holds, it stays within its string and its line

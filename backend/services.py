@@ -6,7 +6,6 @@ from operator import attrgetter
 
 from cachetools import LRUCache
 from prometheus_client import CollectorRegistry
-from starlette.requests import HTTPConnection
 
 from backend.batches.kind import SWEEP
 from backend.batches.service import BatchService
@@ -16,9 +15,7 @@ from backend.compute.workers import BATCH_NICE, RESERVED, Workers
 from backend.custom_controllers.registry import Watch
 from backend.ecu.service import Controllers
 from backend.fmu.service import Fmus
-from backend.gate import Gate
-from backend.gate.budget import Budget
-from backend.http.context import RequestContext
+from backend.gate import Budget, Gate
 from backend.http.spool import Spool
 from backend.http.tokens import Logins, Tokens
 from backend.jobs.scheduler import Scheduler
@@ -44,9 +41,19 @@ from backend.tunings.steps import TUNING, TuningSteps
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Services(RequestContext):
-    """Every service, and what they work with; none runs before `start`."""
+class Services:
+    """Every service, and what they work with; none runs before `start`.
 
+    Attributes:
+        tokens: Who may ask; None where the service has no tokens.
+        logins: With those; None likewise.
+    """
+
+    settings: Settings
+    gate: Gate
+    tokens: Tokens | None
+    logins: Logins | None
+    own_files: Watch
     store: Store
     workers: Workers
     batch_workers: Workers
@@ -82,12 +89,6 @@ class Services(RequestContext):
         await self.workers.close()
         await self.batch_workers.close()
         self.store.close()
-
-
-def services_of(request: HTTPConnection) -> Services:
-    """Those of the application that was asked."""
-    services: Services = request.app.state.services
-    return services
 
 
 def interactive_workers(settings: Settings) -> Workers:

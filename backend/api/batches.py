@@ -3,10 +3,10 @@
 from collections.abc import Iterable
 from typing import Annotated
 
-from fastapi import Query, Request, Response
+from fastapi import Query, Response
 
-from backend.api import jobs, router
-from backend.api.deps import Client, service
+from backend.api import jobs
+from backend.api.routing import ApiRequest, ends_with_client, json_answer, router
 from backend.batches import robustness
 from backend.batches.models import (
     Batch,
@@ -19,21 +19,16 @@ from backend.batches.models import (
     Estimate,
 )
 from backend.batches.points import Sweep
-from backend.batches.service import BatchService
 from backend.batches.summary_models import RobustnessDefaults
 from backend.batches.table import Page
 from backend.errors import InvalidError
 from backend.file_formats import MEDIA_TYPES, FileFormat
 from backend.http import problems
-from backend.http.answers import Download, cancel_on_disconnect, content_answer, json_answer
-from backend.http.routing import ComputingRoute
-from backend.http.tokens import Caller
+from backend.http.answers import Download, content_answer
 from sim_core.catalogue import METRICS, NUMBERS, PAPER_METRICS
 
-Service = Annotated[BatchService, service(lambda services: services.batches)]
-
 api = jobs.JobApi(
-    service=service(lambda services: services.batches),
+    service=lambda services: services.batches,
     name="batch",
     plural="batches",
     model=Batch,
@@ -42,7 +37,7 @@ api = jobs.JobApi(
     event_data="state, done, failed, total",
 )
 submitting = router(api.plural, 400, 409, 413, 415, 422, 429, 503)
-reading = router(api.plural, 404, 422, 429, 503, route_class=ComputingRoute)
+reading = router(api.plural, 404, 422, 429, 503, computes=True)
 lists, batches, naming = api.routers()
 
 
@@ -55,10 +50,7 @@ lists, batches, naming = api.routers()
 )
 async def create_batch(
     body: BatchRequest,
-    request: Request,
-    service: Service,
-    client: Client,
-    owner: Caller,
+    request: ApiRequest,
     idempotency_key: jobs.IdempotencyKey = None,
 ) -> Response:
     """Submit a sweep; 202 comes at once, after the commit: what was accepted completes, whatever crashes.
@@ -67,16 +59,17 @@ async def create_batch(
     """
     batch = (body.scenario, body.strategies, body.sweep)
     if body.dry_run:
-        return json_answer(await cancel_on_disconnect(request, service.estimate(*batch, client)))
-    job = await service.create(
+        async with ends_with_client(request):
+            return json_answer(await request.services.batches.estimate(*batch, request.client_id))
+    job = await request.services.batches.create(
         *batch,
-        key=jobs.key_of(owner, idempotency_key),
+        key=jobs.key_of(request.token, idempotency_key),
         label=body.label,
-        owner=owner,
+        owner=request.token,
         baseline=body.baseline,
         requirements=body.requirements,
     )
-    return api.accepted(await service.answer(job), job)
+    return api.accepted(await request.services.batches.answer(job), job)
 
 
 @batches.post(
@@ -85,15 +78,17 @@ async def create_batch(
     response_model=Batch,
     responses={**jobs.OWNERS, 409: problems.ANSWER},
 )
-async def resume_batch(job_id: jobs.JobId, service: Service, owner: Caller) -> Response:
+async def resume_batch(request: ApiRequest, job_id: jobs.JobId) -> Response:
     """What was cancelled of it, or failed for a reason that may have passed, is computed; with tokens its owner may."""
-    return json_answer(await service.answer(await service.resume(job_id, owner)))
+    return json_answer(
+        await request.services.batches.answer(await request.services.batches.resume(job_id, request.token))
+    )
 
 
 @batches.get("/batches/{id}/sweep", operation_id="getBatchSweep", response_model=Sweep)
-async def get_batch_sweep(job_id: jobs.JobId, service: Service) -> Response:
+async def get_batch_sweep(request: ApiRequest, job_id: jobs.JobId) -> Response:
     """The sweep as it was sent, its fields by dotted names."""
-    return json_answer(await service.sweep(job_id))
+    return json_answer(await request.services.batches.sweep(job_id))
 
 
 @reading.get(
@@ -104,9 +99,7 @@ async def get_batch_sweep(job_id: jobs.JobId, service: Service) -> Response:
 )
 async def get_batch_results(
     job_id: jobs.JobId,
-    request: Request,
-    service: Service,
-    client: Client,
+    request: ApiRequest,
     file_format: Annotated[
         FileFormat | None, Query(alias="format", description="Without it CSV where Accept has `text/csv`, else JSON")
     ] = None,
@@ -115,7 +108,9 @@ async def get_batch_results(
 ) -> Response:
     """One row a run, in order, streamed; a batch that still runs has rows that wait."""
     file_format = file_format or ("csv" if "text/csv" in request.headers.get("accept", "") else "json")
-    batch, stream, counted = await service.results(job_id, file_format, client, Page(first=cursor, limit=limit))
+    batch, stream, counted = await request.services.batches.results(
+        job_id, file_format, request.client_id, Page(first=cursor, limit=limit)
+    )
     headers = {"Cache-Control": "no-store"}
     if file_format != "json":
         headers["Content-Disposition"] = f'attachment; filename="ridelab-batch-{batch.id}.{file_format}"'
@@ -124,19 +119,22 @@ async def get_batch_results(
 
 @reading.get("/batches/{id}/table", operation_id="getBatchTable", response_model=BatchTable)
 async def get_batch_table(
+    request: ApiRequest,
     job_id: jobs.JobId,
-    service: Service,
-    client: Client,
     figures: Annotated[str, Query(description=f"Keys with commas, such as {PAPER_METRICS[4]}")] = "",
 ) -> Response:
     """Rows column by column: run, strategy, status, reason, the swept fields and the figures asked for."""
-    return content_answer(await service.table(job_id, _figures(figures, METRICS), client), {}, MEDIA_TYPES["json"])
+    return content_answer(
+        await request.services.batches.table(job_id, _figures(figures, METRICS), request.client_id),
+        {},
+        MEDIA_TYPES["json"],
+    )
 
 
 @reading.get("/batches/{id}/requirements", operation_id="getBatchRequirements", response_model=BatchRequirements)
-async def get_batch_requirements(job_id: jobs.JobId, service: Service) -> Response:
+async def get_batch_requirements(request: ApiRequest, job_id: jobs.JobId) -> Response:
     """How the runs keep the batch's requirements: counts, where each first fails, and the worst of each run."""
-    return json_answer(await service.requirements(job_id))
+    return json_answer(await request.services.batches.requirements(job_id))
 
 
 @batches.get(
@@ -146,9 +144,8 @@ async def get_batch_requirements(job_id: jobs.JobId, service: Service) -> Respon
     responses={429: problems.ANSWER},
 )
 async def get_batch_summary(
+    request: ApiRequest,
     job_id: jobs.JobId,
-    service: Service,
-    client: Client,
     figures: Annotated[
         str, Query(description="Keys with commas; without any the paper's eight, travel exceeded and airborne")
     ] = "",
@@ -161,7 +158,7 @@ async def get_batch_summary(
     Over the runs that have finished. The worst place of a figure is its `highest`.
     """
     names = _figures(figures, NUMBERS) or list(robustness.FIGURES)
-    return json_answer(await service.summary(job_id, names, baseline, client))
+    return json_answer(await request.services.batches.summary(job_id, names, baseline, request.client_id))
 
 
 @batches.get("/robustness", operation_id="getRobustnessDefaults", response_model=RobustnessDefaults)

@@ -1,26 +1,17 @@
 """The controller as an ECU's program: its C sources and whether they fit a part; and as an FMU."""
 
-from typing import Annotated
-
 from fastapi import Response
 
-from backend.api import router
-from backend.api.deps import Client, service
+from backend.api.routing import SCENARIO_VALUES, ApiRequest, json_answer, router
 from backend.ecu import models
 from backend.ecu.export import FOLDER
-from backend.ecu.service import Controllers
 from backend.errors import GoneError
 from backend.fmu.models import FmuRequest
-from backend.fmu.service import Fmus
-from backend.http.answers import json_answer
-from backend.http.routing import ScenarioRoute
 
-controller = router("controller", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
+controller = router("controller", 400, 413, 415, 422, 429, 503, computes=True, max_values=SCENARIO_VALUES)
 compilers = router("controller")
 withdrawn = router("controller", 410)
 
-ControllersService = Annotated[Controllers, service(lambda services: services.controllers)]
-FmusService = Annotated[Fmus, service(lambda services: services.fmus)]
 
 NO_CLOCK = (
     "There is no drive by the clock any more: an ordinary system's times say nothing about an ECU. "
@@ -35,23 +26,23 @@ NO_CLOCK = (
     response_class=Response,
     responses={200: {"content": {"application/zip": {}}, "description": "A zip with README, Makefile and C sources"}},
 )
-async def export_controller(body: models.ControllerRequest, service: ControllersService, client: Client) -> Response:
+async def export_controller(body: models.ControllerRequest, request: ApiRequest) -> Response:
     """The scenario's `lv_hil` controller as C sources; the same scenario gives the same bytes."""
-    content = await service.archive(body.scenario, client)
+    content = await request.services.controllers.archive(body.scenario, request.client_id)
     headers = {"Content-Disposition": f'attachment; filename="{FOLDER}.zip"'}
     return Response(content, headers=headers, media_type="application/zip")
 
 
 @compilers.get("/controller/compilers", operation_id="getCompilers", response_model=models.Compilers)
-async def get_compilers(service: ControllersService) -> Response:
+async def get_compilers(request: ApiRequest) -> Response:
     """Whether the ECU's program can be built here, known before a report is asked for."""
-    return json_answer(service.compilers())
+    return json_answer(request.services.controllers.compilers())
 
 
 @controller.post("/controller/report", operation_id="reportController", response_model=models.ControllerReport)
-async def report_controller(body: models.ControllerRequest, service: ControllersService, client: Client) -> Response:
+async def report_controller(body: models.ControllerRequest, request: ApiRequest) -> Response:
     """Whether it fits an STM32F103, and which smaller controllers do; takes about ten seconds, one at a time."""
-    return json_answer(await service.report(body.scenario, client))
+    return json_answer(await request.services.controllers.report(body.scenario, request.client_id))
 
 
 @withdrawn.post("/controller/realtime", operation_id="driveByClock", deprecated=True)
@@ -68,9 +59,9 @@ async def drive_by_clock() -> Response:
         200: {"content": {"application/zip": {}}, "description": "An FMU: a zip with description, C and binaries"}
     },
 )
-async def export_fmu(body: FmuRequest, service: FmusService, client: Client) -> Response:
+async def export_fmu(body: FmuRequest, request: ApiRequest) -> Response:
     """A scenario's controller or vehicle as an FMU, sources inside; 422 with the reason where it cannot be one."""
-    content = await service.archive(body, client)
+    content = await request.services.fmus.archive(body, request.client_id)
     name = "vehicle" if body.of == "vehicle" else body.strategy
     headers = {"Content-Disposition": f'attachment; filename="ridelab-{name}.fmu"'}
     return Response(content, headers=headers, media_type="application/zip")

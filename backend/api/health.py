@@ -7,9 +7,9 @@ from prometheus_client.exposition import choose_encoder
 from pydantic import Field
 
 from backend import custom_controllers
-from backend.http.answers import json_answer
+from backend.api.routing import json_answer
 from backend.models import Answer
-from backend.services import services_of
+from backend.services import Services
 
 health = APIRouter(tags=["health"])
 
@@ -46,7 +46,7 @@ async def healthz() -> Response:
 )
 async def readyz(request: Request) -> Response:
     """The store answers and a warm worker is there."""
-    services = services_of(request)
+    services: Services = request.app.state.services
     parts = {"store": await services.store.usable(), "workers": services.workers.ready}
     ready = all(parts.values())
     answer: dict[str, object] = {"status": "ready" if ready else "starting", **parts, "reason": services.store.damage}
@@ -62,5 +62,6 @@ async def readyz(request: Request) -> Response:
 )
 async def metrics(request: Request) -> Response:
     """Figures for Prometheus: counts, gauges and latencies, nothing of anybody's scenario."""
+    services: Services = request.app.state.services
     encode, media_type = choose_encoder(request.headers.get("accept", ""))
-    return Response(encode(services_of(request).metrics), headers={"Content-Type": media_type})
+    return Response(encode(services.metrics), headers={"Content-Type": media_type})

@@ -1,6 +1,6 @@
 """What batches and tunings have in common: list, read, follow, name, cancel, delete."""
 
-from collections.abc import AsyncIterator, Sequence
+from collections.abc import AsyncIterator, Callable, Sequence
 from dataclasses import dataclass
 from typing import Annotated, Any, Protocol
 
@@ -8,15 +8,13 @@ from fastapi import APIRouter, Header, Path, Query, Response
 from fastapi.responses import StreamingResponse
 from pydantic import BaseModel
 
-from backend.api import API, router
-from backend.api.deps import Client
 from backend.api.lists import DEFAULT_LIMIT, Cursor, Limit
+from backend.api.routing import API, ApiRequest, json_answer, router
 from backend.http import problems
-from backend.http.answers import json_answer
-from backend.http.tokens import Caller
 from backend.jobs.models import LabelRequest
 from backend.jobs.service import Jobs
 from backend.plain_text import PlainText
+from backend.services import Services
 from backend.store import StoredJob
 from backend.store.job import State
 
@@ -39,10 +37,20 @@ class JobService(Protocol):
 
     jobs: Jobs
 
-    async def answer(self, job: StoredJob) -> BaseModel:
+    async def answer(
+        self,
+        job: StoredJob,
+    ) -> BaseModel:
         """The job as it is answered."""
 
-    async def page(self, *, limit: int, cursor: str | None, state: State | None, label: str | None) -> BaseModel:
+    async def page(
+        self,
+        *,
+        limit: int,
+        cursor: str | None,
+        state: State | None,
+        label: str | None,
+    ) -> BaseModel:
         """The newest jobs."""
 
 
@@ -51,7 +59,7 @@ class JobApi:
     """One kind of job over HTTP.
 
     Attributes:
-        service: The dependency that gives its `JobService`.
+        service: Picks its `JobService`.
         name: What users call one, such as `batch`.
         plural: What they call several.
         model: Of one.
@@ -60,7 +68,7 @@ class JobApi:
         event_data: What each event's data has.
     """
 
-    service: Any
+    service: Callable[[Services], JobService]
     name: str
     plural: str
     model: type[BaseModel]
@@ -78,33 +86,40 @@ class JobApi:
         self._add_events(without_body)
         return lists, without_body, with_body
 
-    def _add_queries(self, lists: APIRouter) -> None:
-        Service = Annotated[JobService, self.service]  # a type, made here because it differs by kind
-
+    def _add_queries(
+        self,
+        lists: APIRouter,
+    ) -> None:
         @lists.get(f"/{self.plural}", operation_id=f"list{self.plural.title()}", response_model=self.page_model)
         async def page(
-            service: Service,
+            request: ApiRequest,
             limit: Limit = DEFAULT_LIMIT,
             cursor: Cursor = None,
             state: Annotated[State | None, Query(description="Only those in that state")] = None,
             label: Annotated[PlainText | None, Query(max_length=200, description="Only those with that label")] = None,
         ) -> Response:
             """The newest first, page by page."""
+            service = self.service(request.services)
             return json_answer(await service.page(limit=limit, cursor=cursor, state=state, label=label))
 
         @lists.get(f"/{self.plural}/{{id}}", operation_id=f"get{self.name.title()}", response_model=self.model)
-        async def get(job_id: JobId, service: Service) -> Response:
+        async def get(job_id: JobId, request: ApiRequest) -> Response:
             """The job's present state; its events report changes."""
+            service = self.service(request.services)
             return json_answer(await service.answer(await service.jobs.get(job_id)))
 
-    def _add_changing(self, without_body: APIRouter, with_body: APIRouter) -> None:
-        Service = Annotated[JobService, self.service]
+    def _add_changing(
+        self,
+        without_body: APIRouter,
+        with_body: APIRouter,
+    ) -> None:
         path, title = f"/{self.plural}/{{id}}", self.name.title()
 
         @with_body.patch(path, operation_id=f"label{title}", response_model=self.model, responses=OWNERS)
-        async def set_label(job_id: JobId, body: LabelRequest, service: Service, owner: Caller) -> Response:
+        async def set_label(job_id: JobId, body: LabelRequest, request: ApiRequest) -> Response:
             """Name it, or take its name away; with tokens only its owner may."""
-            return json_answer(await service.answer(await service.jobs.set_label(job_id, body.label, owner)))
+            service = self.service(request.services)
+            return json_answer(await service.answer(await service.jobs.set_label(job_id, body.label, request.token)))
 
         @without_body.delete(
             path,
@@ -112,18 +127,21 @@ class JobApi:
             status_code=204,
             responses={**OWNERS, 409: problems.ANSWER},
         )
-        async def delete(job_id: JobId, service: Service, owner: Caller) -> Response:
+        async def delete(job_id: JobId, request: ApiRequest) -> Response:
             """Remove one that has ended and that no link shows; with tokens only its owner may."""
-            await service.jobs.delete(job_id, owner)
+            await self.service(request.services).jobs.delete(job_id, request.token)
             return Response(status_code=204)
 
         @without_body.post(f"{path}/cancel", operation_id=f"cancel{title}", response_model=self.model, responses=OWNERS)
-        async def cancel(job_id: JobId, service: Service, owner: Caller) -> Response:
+        async def cancel(job_id: JobId, request: ApiRequest) -> Response:
             """Cancel it; finished runs stay. One that has ended is answered as it is. With tokens only by its owner."""
-            return json_answer(await service.answer(await service.jobs.cancel(job_id, owner)))
+            service = self.service(request.services)
+            return json_answer(await service.answer(await service.jobs.cancel(job_id, request.token)))
 
-    def _add_events(self, without_body: APIRouter) -> None:
-        Service = Annotated[JobService, self.service]
+    def _add_events(
+        self,
+        without_body: APIRouter,
+    ) -> None:
         event = {  # each one of the stream
             "type": "object",
             "properties": {
@@ -142,19 +160,23 @@ class JobApi:
         )
         async def get_events(
             job_id: JobId,
-            service: Service,
-            client: Client,
+            request: ApiRequest,
             last_event_id: Annotated[str | None, Header(description="The last number seen: a browser sends it")] = None,
             after: Annotated[int, Query(ge=0, le=2**31 - 1, description="The same, in the address")] = 0,
         ) -> Response:
             """Server-sent events; the last one is the final state."""
             if last_event_id is not None and last_event_id.isdecimal() and len(last_event_id) < 10:
                 after = int(last_event_id)
-            stream: AsyncIterator[bytes] = await service.jobs.events(job_id, after, client)
+            jobs = self.service(request.services).jobs
+            stream: AsyncIterator[bytes] = await jobs.events(job_id, after, request.client_id)
             headers = {"Cache-Control": "no-store", "X-Accel-Buffering": "no"}
             return StreamingResponse(stream, headers=headers, media_type="text/event-stream")
 
-    def accepted(self, answer: BaseModel, job: StoredJob) -> Response:
+    def accepted(
+        self,
+        answer: BaseModel,
+        job: StoredJob,
+    ) -> Response:
         """The answer 202 to a job that was accepted."""
         return json_answer(answer, {"Location": f"{API}/{self.plural}/{job.id}"}, status=202)
 

@@ -2,7 +2,7 @@
 
 from fastapi import Response
 
-from backend.api import router
+from backend.api.routing import router
 from backend.json_types import JsonObject
 from backend.library import answers
 from backend.library.models import Catalogue, HalfCarAnswer, PresetAnswer, ProblemAnswer, StrategyAnswer, VehicleAnswer

@@ -2,14 +2,12 @@
 
 from typing import Annotated
 
-from fastapi import Request, Response
+from fastapi import Response
 from pydantic import BaseModel, ConfigDict, Field
 
-from backend.api import API, router
-from backend.http.answers import json_answer
-from backend.http.context import request_context
+from backend.api.routing import API, ApiRequest, json_answer, router
 from backend.http.problems import RequestError
-from backend.http.tokens import COOKIE, LIFETIME, LOGIN, Caller
+from backend.http.tokens import COOKIE, LIFETIME, LOGIN
 
 login = router("login", 400, 401, 413, 415, 422, 503)
 
@@ -30,15 +28,15 @@ class LoginRequest(BaseModel):
 
 
 @login.get(LOGIN.removeprefix(API), operation_id="getLogin", response_model=LoginState)
-async def get_login(request: Request, caller: Caller) -> Response:
+async def get_login(request: ApiRequest) -> Response:
     """Whether the service wants a token."""
-    return json_answer({"required": request_context(request).tokens is not None, "name": caller})
+    return json_answer({"required": request.services.tokens is not None, "name": request.token})
 
 
 @login.post(LOGIN.removeprefix(API), operation_id="logIn", status_code=204)
-async def log_in(body: LoginRequest, request: Request) -> Response:
+async def log_in(body: LoginRequest, request: ApiRequest) -> Response:
     """Keep the token in a cookie that no script can read; 401 where it is none of the service's."""
-    logins = request_context(request).logins
+    logins = request.services.logins
     value = None if logins is None else logins.begin(body.token)
     if value is None:
         raise RequestError("token-required", "This is none of the service's tokens.")
@@ -48,9 +46,9 @@ async def log_in(body: LoginRequest, request: Request) -> Response:
 
 
 @login.delete(LOGIN.removeprefix(API), operation_id="logOut", status_code=204)
-async def log_out(request: Request) -> Response:
+async def log_out(request: ApiRequest) -> Response:
     """End the login: its cookie, and every copy of it, is worth nothing from now on."""
-    logins = request_context(request).logins
+    logins = request.services.logins
     if logins is not None:
         await logins.end(request.cookies.get(COOKIE, ""))
     answer = Response(status_code=204)
@@ -58,6 +56,6 @@ async def log_out(request: Request) -> Response:
     return answer
 
 
-def _set(answer: Response, request: Request, value: str, max_age: int) -> None:
+def _set(answer: Response, request: ApiRequest, value: str, max_age: int) -> None:
     secure = request.url.scheme == "https"
     answer.set_cookie(COOKIE, value, max_age=max_age, httponly=True, samesite="strict", secure=secure)

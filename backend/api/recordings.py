@@ -3,30 +3,24 @@
 import json
 from typing import Annotated, Literal
 
-from fastapi import Path, Query, Request, Response
+from fastapi import Path, Query, Response
 
-from backend.api import API, router
-from backend.api.deps import Client, service
-from backend.api.lists import DEFAULT_LIMIT, Cursor, Limit
+from backend.api.lists import DEFAULT_LIMIT, Cursor, Limit, Owner
+from backend.api.routing import API, LONGEST_CSV, ApiRequest, router
 from backend.errors import InvalidError
 from backend.http import problems
 from backend.http.answers import revalidated
 from backend.http.openapi import BYTES
-from backend.http.ownership import Owner
-from backend.http.routing import ComputingRoute, FileRoute
-from backend.http.tokens import Caller
 from backend.recordings.models import CreatedRecording, RecordingAnswer, RecordingPage
-from backend.recordings.service import Recordings
 
-reading = router("recordings", 408, 413, 415, 422, 429, 503, route_class=FileRoute)
-recordings = router("recordings", 404, 429, 503, route_class=ComputingRoute)
+reading = router("recordings", 408, 413, 415, 422, 429, 503, files={"text/csv": LONGEST_CSV})
+recordings = router("recordings", 404, 429, 503, computes=True)
 listing = router("recordings", 403, 422, 503)
 EXAMPLE = "time [s],body_acceleration [m/s^2]\n" + "".join(f"{n / 100},{n % 3 - 1}\n" for n in range(12))
 BODY = {"requestBody": {"required": True, "content": {"text/csv": {"schema": BYTES, "example": EXAMPLE}}}}
 LONGEST_MAPPING = 8000
 
 RecordingId = Annotated[str, Path(alias="id", max_length=64, description="Of the recording")]
-RecordingsService = Annotated[Recordings, service(lambda services: services.recordings)]
 ColumnMapping = Annotated[
     str | None,
     Query(
@@ -41,25 +35,24 @@ ColumnMapping = Annotated[
     "/recordings", operation_id="createRecording", status_code=201, response_model=CreatedRecording, openapi_extra=BODY
 )
 async def create_recording(
-    request: Request,
+    request: ApiRequest,
     response: Response,
-    service: RecordingsService,
-    client: Client,
-    owner: Caller,
     columns: ColumnMapping = None,
 ) -> CreatedRecording:
     """Store a recorded drive: time or distance and signals of the catalogue, each column's unit in its name."""
-    created = await service.create(await request.body(), _mapping(columns), client, owner)
+    created = await request.services.recordings.create(
+        await request.body(), _mapping(columns), request.client_id, request.token
+    )
     response.headers["Location"] = f"{API}/recordings/{created.id}"
     return created
 
 
 @listing.get("/recordings", operation_id="listRecordings", response_model=RecordingPage)
 async def list_recordings(
-    service: RecordingsService, owner: Owner, limit: Limit = DEFAULT_LIMIT, cursor: Cursor = None
+    request: ApiRequest, owner: Owner, limit: Limit = DEFAULT_LIMIT, cursor: Cursor = None
 ) -> RecordingPage:
     """The newest first, page by page: with tokens one's own, without them for the service's one person."""
-    return await service.page(owner, limit, cursor)
+    return await request.services.recordings.page(owner, limit, cursor)
 
 
 @listing.delete(
@@ -68,9 +61,9 @@ async def list_recordings(
     status_code=204,
     responses={404: problems.ANSWER, 409: problems.ANSWER},
 )
-async def delete_recording(service: RecordingsService, owner: Owner, recording: RecordingId) -> Response:
+async def delete_recording(request: ApiRequest, owner: Owner, recording: RecordingId) -> Response:
     """Take a recording back that no run or link names; one that another token sent too stays for that one."""
-    await service.delete(recording, owner)
+    await request.services.recordings.delete(recording, owner)
     return Response(status_code=204)
 
 
@@ -81,9 +74,7 @@ async def delete_recording(service: RecordingsService, owner: Owner, recording: 
     responses={200: {"content": {"text/csv": {}}}, 304: {"description": "Not changed"}},
 )
 async def get_recording(
-    request: Request,
-    service: RecordingsService,
-    client: Client,
+    request: ApiRequest,
     recording: RecordingId,
     file_format: Annotated[
         Literal["json", "csv"], Query(alias="format", description="CSV has every sample and can be sent again")
@@ -91,10 +82,12 @@ async def get_recording(
 ) -> RecordingAnswer | Response:
     """A recorded drive; its samples never change."""
     if file_format == "json":
-        return await service.get(recording, client)
+        return await request.services.recordings.get(recording, request.client_id)
     name = f"ridelab-recording-{recording}.csv"
     headers = {"Content-Disposition": f'attachment; filename="{name}"'}
-    return revalidated(request, await service.csv(recording, client), headers, "text/csv")
+    return revalidated(
+        request, await request.services.recordings.csv(recording, request.client_id), headers, "text/csv"
+    )
 
 
 def _mapping(text: str | None) -> dict[str, str]:

@@ -1,44 +1,31 @@
 """Measured roads: upload as CSV or OpenCRG, read, export, list, take back."""
 
-from collections.abc import Mapping
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, Literal
 
-from fastapi import Path, Query, Request, Response
+from fastapi import Path, Query, Response
 
-from backend.api import API, router
-from backend.api.deps import Client, service
-from backend.api.lists import DEFAULT_LIMIT, Cursor, Limit
+from backend.api.lists import DEFAULT_LIMIT, Cursor, Limit, Owner
+from backend.api.routing import API, LONGEST_CSV, ApiRequest, router
 from backend.errors import InvalidError
 from backend.http import problems
 from backend.http.answers import revalidated
 from backend.http.openapi import BYTES
-from backend.http.ownership import Owner
-from backend.http.routing import ComputingRoute, FileRoute
-from backend.http.tokens import Caller
 from backend.models import MAX_POINTS
 from backend.roads import export, opencrg, survey
 from backend.roads.models import CreatedRoad, RoadAnswer, RoadPage
-from backend.roads.service import MeasuredRoads
 
 OPENCRG = "application/x-opencrg"
 LONGEST_GRID = 16 * 1024 * 1024  # of an OpenCRG file [bytes]
 FAR = 100.0  # from the reference line [m]
 
 
-class RoadFileRoute(FileRoute):
-    """A route whose body is a road in one of its two formats."""
-
-    FILES: ClassVar[Mapping[str, int]] = {**FileRoute.FILES, OPENCRG: LONGEST_GRID}
-
-
-surveying = router("roads", 408, 413, 415, 429, 503, route_class=RoadFileRoute)
-roads = router("roads", 404, 429, 503, route_class=ComputingRoute)
+surveying = router("roads", 408, 413, 415, 429, 503, files={"text/csv": LONGEST_CSV, OPENCRG: LONGEST_GRID})
+roads = router("roads", 404, 429, 503, computes=True)
 listing = router("roads", 403, 422, 503)
 EXAMPLE = "distance [m],height [mm]\n0,0\n5,12\n10,3\n"
 
 
 RoadId = Annotated[str, Path(alias="id", max_length=64, description="Of the road")]
-RoadsService = Annotated[MeasuredRoads, service(lambda services: services.roads)]
 
 
 @surveying.post(
@@ -55,11 +42,8 @@ RoadsService = Annotated[MeasuredRoads, service(lambda services: services.roads)
     },
 )
 async def create_road(
-    request: Request,
+    request: ApiRequest,
     response: Response,
-    service: RoadsService,
-    client: Client,
-    owner: Caller,
     left: Annotated[float | None, Query(ge=-FAR, le=FAR, description="Of OpenCRG: v of the left wheel [m]")] = None,
     right: Annotated[float | None, Query(ge=-FAR, le=FAR, description="Of OpenCRG: v of the right wheel [m]")] = None,
 ) -> CreatedRoad:
@@ -70,9 +54,11 @@ async def create_road(
     """
     content = await request.body()
     if request.headers["content-type"].lower().startswith(OPENCRG):
-        created = await service.create(client, owner, opencrg.read, content, left, right)
+        created = await request.services.roads.create(
+            request.client_id, request.token, opencrg.read, content, left, right
+        )
     elif left is None and right is None:
-        created = await service.create(client, owner, survey.read, content)
+        created = await request.services.roads.create(request.client_id, request.token, survey.read, content)
     else:
         raise InvalidError("Only an OpenCRG file has wheels to place", parameter="right" if left is None else "left")
     response.headers["Location"] = f"{API}/roads/{created.id}"
@@ -81,18 +67,18 @@ async def create_road(
 
 @listing.get("/roads", operation_id="listRoads", response_model=RoadPage)
 async def list_roads(
-    service: RoadsService, owner: Owner, limit: Limit = DEFAULT_LIMIT, cursor: Cursor = None
+    request: ApiRequest, owner: Owner, limit: Limit = DEFAULT_LIMIT, cursor: Cursor = None
 ) -> RoadPage:
     """The newest first, page by page: with tokens one's own, without them for the service's one person."""
-    return await service.page(owner, limit, cursor)
+    return await request.services.roads.page(owner, limit, cursor)
 
 
 @listing.delete(
     "/roads/{id}", operation_id="deleteRoad", status_code=204, responses={404: problems.ANSWER, 409: problems.ANSWER}
 )
-async def delete_road(service: RoadsService, owner: Owner, road_id: RoadId) -> Response:
+async def delete_road(request: ApiRequest, owner: Owner, road_id: RoadId) -> Response:
     """Take a road back that no run, job or link names; one that another token sent too stays for that one."""
-    await service.delete(road_id, owner)
+    await request.services.roads.delete(road_id, owner)
     return Response(status_code=204)
 
 
@@ -103,9 +89,7 @@ async def delete_road(service: RoadsService, owner: Owner, road_id: RoadId) -> R
     responses={200: {"content": {"text/csv": {}, OPENCRG: {}}}, 304: {"description": "Not changed"}},
 )
 async def get_road(
-    request: Request,
-    service: RoadsService,
-    client: Client,
+    request: ApiRequest,
     road_id: RoadId,
     points: Annotated[int, Query(ge=2, le=MAX_POINTS, description="Of JSON: at most how many heights")] = 2000,
     file_format: Annotated[
@@ -116,9 +100,9 @@ async def get_road(
 ) -> RoadAnswer | Response:
     """A measured road; its heights never change."""
     if file_format == "json":
-        return await service.get(road_id, points, client)
+        return await request.services.roads.get(road_id, points, request.client_id)
     name, media_type = f"ridelab-road-{road_id}.{file_format}", "text/csv" if file_format == "csv" else OPENCRG
     headers = {"Content-Disposition": f'attachment; filename="{name}"'}
     writers = {"csv": export.as_csv, "crg": opencrg.as_text if encoding == "text" else opencrg.as_binary}
-    content = await service.exported(road_id, client, writers[file_format])
+    content = await request.services.roads.exported(road_id, request.client_id, writers[file_format])
     return revalidated(request, content, headers, media_type)

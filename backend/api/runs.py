@@ -3,27 +3,22 @@
 from collections.abc import Collection
 from typing import Annotated, Any, Literal
 
-from fastapi import Path, Query, Request, Response
+from fastapi import Path, Query, Response
 from fastapi.responses import HTMLResponse
 
 from backend import models
-from backend.api import router
-from backend.api.deps import Client, html_answer, service
+from backend.api.routing import SCENARIO_VALUES, ApiRequest, html_answer, json_answer, router
 from backend.digest import RUN_ID_LENGTH
 from backend.errors import InvalidError
 from backend.file_formats import BINARY, MEDIA_TYPES, FileFormat
 from backend.http.answers import (
     content_answer,
-    json_answer,
     revalidated,
     takes_gzip,
 )
-from backend.http.routing import ComputingRoute, ScenarioRoute
 from backend.json_types import JsonObject
 from backend.outcome import Sampling
 from backend.requirements import Requirement, read
-from backend.runs.analysis import ControlAnalysis
-from backend.runs.curves import RunCurves
 from backend.runs.deviations import Deviations
 from backend.runs.figures import PANELS
 from backend.runs.frequency import FrequencyAnswer, FrequencyRequest
@@ -31,21 +26,13 @@ from backend.runs.fuzzy import FuzzyAnswer, FuzzyRequest
 from backend.runs.instants import InstantAnswer
 from backend.runs.models import CreatedRun, LiveRun, Run, RunRequest
 from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
-from backend.runs.reports.service import RunReports
-from backend.runs.service import Runs
 from backend.runs.solve.models import Solution, SolveRequest
-from backend.runs.solve.service import Solver
 from sim_core.catalogue import SIGNALS
 
 runs = router("runs", 404, 410, 422, 429, 503)
-computing = router("runs", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
-drawing = router("runs", 404, 410, 422, 429, 503, route_class=ComputingRoute)
+computing = router("runs", 400, 413, 415, 422, 429, 503, computes=True, max_values=SCENARIO_VALUES)
+drawing = router("runs", 404, 410, 422, 429, 503, computes=True)
 
-RunsService = Annotated[Runs, service(lambda services: services.runs)]
-CurvesService = Annotated[RunCurves, service(lambda services: services.curves)]
-ReportsService = Annotated[RunReports, service(lambda services: services.reports)]
-AnalysisService = Annotated[ControlAnalysis, service(lambda services: services.analysis)]
-SolverService = Annotated[Solver, service(lambda services: services.solver)]
 Signals = Annotated[str | None, Query(description="Keys with commas; omitted is all")]
 Points = Annotated[
     int | None, Query(ge=2, le=models.MAX_POINTS, description="At most how many samples; omitted is all")
@@ -60,12 +47,12 @@ NOT_CHANGED: dict[int | str, dict[str, Any]] = {304: {"description": "Not change
 
 
 @computing.post("/runs", operation_id="createRun", response_model=CreatedRun | CreatedRoadsRun)
-async def create_run(body: RunRequest, service: RunsService, client: Client) -> Response:
+async def create_run(body: RunRequest, request: ApiRequest) -> Response:
     """Run what is not stored yet, on one road or several; the answer comes after the commit."""
-    work = service.create(
+    work = request.services.runs.create(
         body.scenario,
         body.strategies,
-        client,
+        request.client_id,
         roads=body.roads,
         baseline=body.baseline,
         requirements=body.requirements,
@@ -79,32 +66,32 @@ async def create_run(body: RunRequest, service: RunsService, client: Client) -> 
     response_model=LiveRun,
     responses={200: {"content": {BINARY: {}}}},
 )
-async def live(body: models.LiveRequest, service: RunsService, client: Client) -> Response:
+async def live(body: models.LiveRequest, request: ApiRequest) -> Response:
     """Figures and decimated time histories while somebody drags; nothing is stored."""
     binary = body.encoding == "binary"
     sampling = Sampling(body.points, body.part)
-    content = await service.live(
-        body.scenario, body.strategies, sampling, body.signals, client, baseline=body.baseline, binary=binary
+    content = await request.services.runs.live(
+        body.scenario, body.strategies, sampling, body.signals, request.client_id, baseline=body.baseline, binary=binary
     )
     return content_answer(content, {}, BINARY if binary else MEDIA_TYPES["json"])
 
 
 @computing.post("/solve", operation_id="solve", response_model=Solution)
-async def solve(body: SolveRequest, solver: SolverService, client: Client) -> Response:
+async def solve(body: SolveRequest, request: ApiRequest) -> Response:
     """The largest value of one field that keeps one metric at or below a limit, and the run at that value."""
-    return json_answer(await solver.solve(body, client))
+    return json_answer(await request.services.solver.solve(body, request.client_id))
 
 
 @computing.post("/frequency", operation_id="frequency", response_model=FrequencyAnswer)
-async def frequency(body: FrequencyRequest, analysis: AnalysisService, client: Client) -> Response:
+async def frequency(body: FrequencyRequest, request: ApiRequest) -> Response:
     """Responses from the road to ride and tyre loads, modes, margins and spectra while no limit binds."""
-    return json_answer(await analysis.frequency(body, client))
+    return json_answer(await request.services.analysis.frequency(body, request.client_id))
 
 
 @computing.post("/fuzzy", operation_id="fuzzy", response_model=FuzzyAnswer)
-async def fuzzy(body: FuzzyRequest, analysis: AnalysisService, client: Client) -> Response:
+async def fuzzy(body: FuzzyRequest, request: ApiRequest) -> Response:
     """The fuzzy speed controller's sets as curves, its rules written out, and the torque surface they come to."""
-    return json_answer(await analysis.fuzzy(body, client))
+    return json_answer(await request.services.analysis.fuzzy(body, request.client_id))
 
 
 @runs.get(
@@ -115,9 +102,7 @@ async def fuzzy(body: FuzzyRequest, analysis: AnalysisService, client: Client) -
 )
 async def get_run(
     run_id: RunId,
-    request: Request,
-    service: RunsService,
-    client: Client,
+    request: ApiRequest,
     requirements: Required = None,
     baseline: Annotated[
         str | None,
@@ -134,9 +119,9 @@ async def get_run(
     ] = None,
 ) -> Response:
     """A stored run; its numbers change only where results that are not stored are computed again."""
-    work = service.get(
+    work = request.services.runs.get(
         run_id,
-        client,
+        request.client_id,
         requirements=_required(requirements),
         baseline=baseline,
         compared=_names("compare", compare),
@@ -147,16 +132,14 @@ async def get_run(
 @runs.get("/runs/{id}/changes", operation_id="getChanges", response_model=PairedChanges, responses=NOT_CHANGED)
 async def get_changes(
     run_id: RunId,
-    request: Request,
-    service: RunsService,
-    client: Client,
+    request: ApiRequest,
     against: Annotated[str | None, Query(description="Id of a run over the same roads", max_length=64)] = None,
     baseline: Annotated[
         str | None, Query(description="In its place one of this run's strategies", min_length=1)
     ] = None,
 ) -> Response:
     """Of a run over several roads: changes against another run, strategy by strategy, or a strategy; paired by road."""
-    work = service.changes(run_id, client, against=against, baseline=baseline)
+    work = request.services.runs.changes(run_id, request.client_id, against=against, baseline=baseline)
     return revalidated(request, await work)
 
 
@@ -168,9 +151,7 @@ async def get_changes(
 )
 async def get_series(
     run_id: RunId,
-    request: Request,
-    curves: CurvesService,
-    client: Client,
+    request: ApiRequest,
     strategy: Annotated[str | None, Query(description="Ids with commas; may be omitted where the run has one")] = None,
     signals: Signals = None,
     file_format: Annotated[FileFormat, Query(alias="format", description="Of it")] = "json",
@@ -182,9 +163,9 @@ async def get_series(
     All samples are two at an instant at which a held force jumps: the values before and after.
     """
     names = _names("strategy", strategy)
-    content = await curves.series(
+    content = await request.services.curves.series(
         run_id,
-        client,
+        request.client_id,
         strategies=names,
         signals=_names("signals", signals, SIGNALS),
         points=points,
@@ -202,24 +183,20 @@ async def get_series(
 @drawing.get("/runs/{id}/instant", operation_id="getInstant", response_model=InstantAnswer, responses=NOT_CHANGED)
 async def get_instant(
     run_id: RunId,
-    request: Request,
-    analysis: AnalysisService,
-    client: Client,
+    request: ApiRequest,
     strategy: Annotated[str | None, Query(description="Id; may be omitted where the run has one")] = None,
     position: Annotated[float | None, Query(description="Of the front axle [m]", allow_inf_nan=False)] = None,
     time: Annotated[float | None, Query(description="In place of a position [s]", allow_inf_nan=False)] = None,
 ) -> Response:
     """What a controller saw and decided in the control step there, which limits shaped it, and at what price."""
-    work = analysis.instant(run_id, strategy, position, time, client)
+    work = request.services.analysis.instant(run_id, strategy, position, time, request.client_id)
     return revalidated(request, await work)
 
 
 @drawing.get("/runs/{id}/differences", operation_id="getDifferences", response_model=Deviations, responses=NOT_CHANGED)
 async def get_differences(
     run_id: RunId,
-    request: Request,
-    curves: CurvesService,
-    client: Client,
+    request: ApiRequest,
     baseline: Annotated[
         str | None,
         Query(
@@ -228,24 +205,22 @@ async def get_differences(
     ] = None,
 ) -> Response:
     """How far every strategy's curves lie from one's at the same positions, signal by signal, on the first road."""
-    return revalidated(request, await curves.deviations(run_id, baseline, client))
+    return revalidated(request, await request.services.curves.deviations(run_id, baseline, request.client_id))
 
 
 @drawing.get("/runs/{id}/bands", operation_id="getBands", response_model=Bands, responses=NOT_CHANGED)
 async def get_bands(
     run_id: RunId,
-    request: Request,
-    curves: CurvesService,
-    client: Client,
+    request: ApiRequest,
     strategy: Annotated[str | None, Query(description="Ids with commas; omitted is all of the run's")] = None,
     signals: Signals = None,
     points: Points = None,
     encoding: Annotated[Literal["list", "base64"], Query(description="Of numbers")] = "list",
 ) -> Response:
     """Of a run over several roads: mean, smallest and largest value over all roads at each sample, in SI units."""
-    content = await curves.bands(
+    content = await request.services.curves.bands(
         run_id,
-        client,
+        request.client_id,
         strategies=_names("strategy", strategy),
         signals=_names("signals", signals, SIGNALS),
         points=points,
@@ -260,13 +235,12 @@ async def get_bands(
     response_model=models.Figures,
 )
 async def get_run_figures(
+    request: ApiRequest,
     run_id: RunId,
-    curves: CurvesService,
-    client: Client,
     x: Axis = "position",
 ) -> Response:
     """Every figure with this run's data."""
-    return json_answer(await curves.figures(run_id, None, x, client))
+    return json_answer(await request.services.curves.figures(run_id, None, x, request.client_id))
 
 
 @drawing.get(
@@ -275,14 +249,13 @@ async def get_run_figures(
     response_model=JsonObject,
 )
 async def get_run_figure(
+    request: ApiRequest,
     run_id: RunId,
     name: Annotated[str, Path(json_schema_extra={"enum": list(PANELS)}, description="Of the figure")],
-    curves: CurvesService,
-    client: Client,
     x: Axis = "position",
 ) -> Response:
     """One figure with this run's data."""
-    return json_answer(await curves.figures(run_id, name, x, client))
+    return json_answer(await request.services.curves.figures(run_id, name, x, request.client_id))
 
 
 @drawing.get(
@@ -293,9 +266,7 @@ async def get_run_figure(
 )
 async def get_run_report(
     run_id: RunId,
-    request: Request,
-    reports: ReportsService,
-    client: Client,
+    request: ApiRequest,
     baseline: Annotated[
         str | None, Query(description="Whose figures the changes refer to; omitted is passive", min_length=1)
     ] = None,
@@ -305,9 +276,9 @@ async def get_run_report(
 ) -> Response:
     """The run as one HTML file that needs nothing else; its figures are inside, or it says why there are none."""
     compressed = takes_gzip(request)
-    report = await reports.report(
+    report = await request.services.reports.report(
         run_id,
-        client,
+        request.client_id,
         baseline=baseline,
         against=against,
         axis=x,

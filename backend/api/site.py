@@ -19,15 +19,14 @@ from starlette.exceptions import HTTPException
 from starlette.staticfiles import StaticFiles
 from starlette.types import Scope
 
-from backend.api.deps import LinksService
 from backend.errors import NotFoundError, RevokedError
 from backend.http.answers import IMMUTABLE
-from backend.http.context import request_context
-from backend.http.guard import policy
+from backend.http.middleware import content_security_policy
 from backend.http.problems import RequestError, problem
-from backend.http.tokens import Caller
+from backend.http.tokens import CALLER
 from backend.links import preview
 from backend.links.preview import Preview
+from backend.services import Services
 
 DOCS_PAGE = """<!doctype html>
 <html lang="en">
@@ -80,7 +79,11 @@ class HashedFiles(StaticFiles):
     Where the build left a file's brotli form beside it, browsers that take it get that.
     """
 
-    async def get_response(self, path: str, scope: Scope) -> Response:
+    async def get_response(
+        self,
+        path: str,
+        scope: Scope,
+    ) -> Response:
         """The framework's response, immutable."""
         if path.endswith(".br"):
             raise HTTPException(HTTPStatus.NOT_FOUND)  # a form of another file, without an address of its own
@@ -108,7 +111,9 @@ class ManualPages(StaticFiles):
         response = super().file_response(full_path, stat_result, scope, status_code)
         response.headers["Cache-Control"] = "no-cache"
         if str(full_path).endswith(".html"):
-            response.headers["Content-Security-Policy"] = policy(_inline_scripts(str(full_path), stat_result.st_mtime))
+            response.headers["Content-Security-Policy"] = content_security_policy(
+                _inline_scripts(str(full_path), stat_result.st_mtime)
+            )
         return response
 
 
@@ -140,12 +145,13 @@ def add_site(app: FastAPI, dist: Path, manual: Path) -> None:
         site.add_api_route(path, page, methods=["GET"])
 
     @site.get("/s/{slug}")
-    async def shared(slug: str, request: Request, service: LinksService, caller: Caller) -> Response:
+    async def shared(slug: str, request: Request) -> Response:
         _check_built(index)
-        if request_context(request).tokens is not None and caller is None:
+        services: Services = request.app.state.services
+        if services.tokens is not None and getattr(request.state, CALLER, None) is None:
             return await page()  # which asks for a token; nothing of what is shared is in it
         try:
-            of_link, status = await service.preview(slug), HTTPStatus.OK
+            of_link, status = await services.links.preview(slug), HTTPStatus.OK
         except NotFoundError:
             of_link, status = Preview(), HTTPStatus.NOT_FOUND
         except RevokedError:
@@ -179,7 +185,10 @@ def add_site(app: FastAPI, dist: Path, manual: Path) -> None:
 def _add_not_found(app: FastAPI, index: Path) -> None:
     """Answer a browser at an unknown address with the page, which says so; anything else gets a problem."""
 
-    async def not_found(request: Request, _: Exception) -> Response:
+    async def not_found(
+        request: Request,
+        _: Exception,
+    ) -> Response:
         is_page = not request.url.path.startswith(NO_PAGES) and "text/html" in request.headers.get("accept", "")
         if request.method == "GET" and is_page and await asyncio.to_thread(index.is_file):
             return FileResponse(index, 404, headers={"Cache-Control": "no-cache", "Vary": "Accept"})

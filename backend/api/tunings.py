@@ -4,20 +4,14 @@ from typing import Annotated
 
 from fastapi import Query, Response
 
-from backend.api import jobs, router
-from backend.api.deps import Client, service
+from backend.api import jobs
+from backend.api.routing import SCENARIO_VALUES, ApiRequest, json_answer, router
 from backend.http import problems
-from backend.http.answers import json_answer
-from backend.http.routing import ScenarioRoute
-from backend.http.tokens import Caller
 from backend.tunings.answers import Trials, Tuning, TuningEstimate, Tunings
 from backend.tunings.models import MOST_TRIALS, TuningRequest
-from backend.tunings.service import TuningService
-
-Service = Annotated[TuningService, service(lambda services: services.tunings)]
 
 api = jobs.JobApi(
-    service=service(lambda services: services.tunings),
+    service=lambda services: services.tunings,
     name="tuning",
     plural="tunings",
     model=Tuning,
@@ -25,7 +19,7 @@ api = jobs.JobApi(
     events=["state", "progress", "restart"],
     event_data="state, step, generation, total, done, failed, feasible; progress also best and hypervolume",
 )
-beginning = router(api.plural, 400, 409, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
+beginning = router(api.plural, 400, 409, 413, 415, 422, 429, 503, computes=True, max_values=SCENARIO_VALUES)
 lists, tunings, naming = api.routers()
 
 
@@ -38,22 +32,20 @@ lists, tunings, naming = api.routers()
 )
 async def create_tuning(
     body: TuningRequest,
-    service: Service,
-    client: Client,
-    owner: Caller,
+    request: ApiRequest,
     idempotency_key: jobs.IdempotencyKey = None,
 ) -> Response:
     """Begin to look for better weights; 202 comes after the commit: what was accepted completes, whatever crashes."""
     if body.dry_run:
-        return json_answer(await service.estimate(body, client))
-    job = await service.create(body, jobs.key_of(owner, idempotency_key), owner)
-    return api.accepted(await service.answer(job), job)
+        return json_answer(await request.services.tunings.estimate(body, request.client_id))
+    job = await request.services.tunings.create(body, jobs.key_of(request.token, idempotency_key), request.token)
+    return api.accepted(await request.services.tunings.answer(job), job)
 
 
 @tunings.get("/tunings/{id}/trials", operation_id="getTuningTrials", response_model=Trials)
-async def get_tuning_trials(job_id: jobs.JobId, service: Service) -> Response:
+async def get_tuning_trials(request: ApiRequest, job_id: jobs.JobId) -> Response:
     """Every trial of the complete generations, in order."""
-    return json_answer(await service.trials(job_id))
+    return json_answer(await request.services.tunings.trials(job_id))
 
 
 @tunings.post(
@@ -63,9 +55,8 @@ async def get_tuning_trials(job_id: jobs.JobId, service: Service) -> Response:
     responses={**jobs.OWNERS, 409: problems.ANSWER},
 )
 async def resume_tuning(
+    request: ApiRequest,
     job_id: jobs.JobId,
-    service: Service,
-    owner: Caller,
     trials: Annotated[
         int | None, Query(ge=1, le=MOST_TRIALS, description="In all; without it as many as were asked for before")
     ] = None,
@@ -74,4 +65,6 @@ async def resume_tuning(
 
     With tokens only its owner may.
     """
-    return json_answer(await service.answer(await service.resume(job_id, trials, owner)))
+    return json_answer(
+        await request.services.tunings.answer(await request.services.tunings.resume(job_id, trials, request.token))
+    )

@@ -1,35 +1,23 @@
-"""How routes answer: JSON, 304, or nothing because the client has gone."""
+"""Answers that a client keeps and asks about, and long ones, sent piece by piece."""
 
-import asyncio
 import base64
 import hashlib
-from collections.abc import AsyncIterator, Coroutine, Mapping
+from collections.abc import AsyncIterator, Mapping
 from contextlib import ExitStack
-from typing import Any, TypeVar
+from typing import Any
 
 import orjson
 from fastapi import Request, Response
 from fastapi.responses import StreamingResponse
 from pydantic import BaseModel
-from starlette.requests import ClientDisconnect
 from starlette.types import Receive, Scope, Send
 
 from backend.http.spool import SpoolFile
-
-T = TypeVar("T")
 
 # Of files that are named by their content. Answers about what is stored are not: their shape is the release's.
 IMMUTABLE = "public, max-age=31536000, immutable"
 REVALIDATED = "public, no-cache"
 JSON = "application/json"
-
-
-def json_answer(content: Any, headers: dict[str, str] | None = None, *, status: int = 200) -> Response:
-    """JSON as orjson writes it, or has written it; the route's `response_model` declares its shape."""
-    if isinstance(content, BaseModel):
-        content = content.model_dump(by_alias=True)
-    body = content if isinstance(content, bytes) else orjson.dumps(content)
-    return Response(body, status, headers, media_type=JSON)
 
 
 class Download(StreamingResponse):
@@ -55,7 +43,7 @@ class Download(StreamingResponse):
 
 
 def content_answer(content: bytes | SpoolFile, headers: Mapping[str, str], media_type: str) -> Response:
-    """A rendered answer, a long one piece by piece."""
+    """Return a rendered answer, a long one piece by piece."""
     if isinstance(content, bytes):
         return Response(content, headers=headers, media_type=media_type)
     headers = {**headers, "Content-Length": str(content.size)}
@@ -65,12 +53,12 @@ def content_answer(content: bytes | SpoolFile, headers: Mapping[str, str], media
 
 
 def takes_gzip(request: Request) -> bool:
-    """Whether the client accepts a compressed answer, by the same rule as the service's other answers."""
+    """Check whether the client accepts a compressed answer, by the same rule as the service's other answers."""
     return "gzip" in request.headers.get("accept-encoding", "")
 
 
 def not_modified(request: Request, tag: str) -> bool:
-    """Whether the client has what that entity tag names (weak comparison, RFC 9110, 13.1.2)."""
+    """Check whether the client has what that entity tag names (weak comparison, RFC 9110, 13.1.2)."""
     offered = {item.strip().removeprefix("W/") for item in request.headers.get("if-none-match", "").split(",")}
     return "*" in offered or tag.removeprefix("W/") in offered
 
@@ -104,26 +92,3 @@ def revalidated(
     if not_modified(request, tag):
         return Response(status_code=304, headers={name: all_headers[name] for name in ("ETag", "Cache-Control")})
     return Response(body, headers=all_headers, media_type=media_type)
-
-
-async def cancel_on_disconnect(request: Request, work: Coroutine[Any, Any, T]) -> T:
-    """The result of `work`, which is cancelled when the client goes away first.
-
-    Raises:
-        ClientDisconnect: It went away.
-    """
-    task = asyncio.ensure_future(work)
-    gone = asyncio.ensure_future(_disconnected(request))
-    try:
-        await asyncio.wait({task, gone}, return_when=asyncio.FIRST_COMPLETED)
-        if not task.done():
-            raise ClientDisconnect
-        return task.result()
-    finally:
-        task.cancel()
-        gone.cancel()
-
-
-async def _disconnected(request: Request) -> None:
-    while (await request.receive())["type"] != "http.disconnect":
-        pass

@@ -15,9 +15,9 @@ from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
 from backend.digest import STRATEGY_PATTERN
+from backend.http.middleware import ID_HEADER
 from backend.http.problem_types import KINDS
 from backend.http.problems import MEDIA_TYPE, Problem
-from backend.http.request_log import HEADER
 from backend.http.tokens import COOKIE
 from backend.json_types import JsonObject
 from sim_core.check_controller import ID
@@ -122,7 +122,7 @@ def _describe_answers(operation: JsonObject) -> None:
             answer["description"] = " ".join(f"`{kind.name}`: {kind.meaning} {kind.remedy}" for kind in kinds)
         elif answer.get("description") == "Successful Response":
             answer["description"] = operation["description"].partition("\n")[0]
-        names = [HEADER, *DESCRIPTION["headers_of_status"].get(status, [])]
+        names = [ID_HEADER, *DESCRIPTION["headers_of_status"].get(status, [])]
         if status == "204" and "login" in operation["tags"]:
             names.append("Set-Cookie")
         if status == "200" and "304" in answers:

@@ -15,8 +15,8 @@ from starlette.exceptions import HTTPException
 
 from backend.errors import EcuUnavailableError, ServiceError
 from backend.http.problem_types import KINDS, OF_STATUS, TYPES
-from backend.http.request_log import request_id
 from backend.http.validation import to_field_error
+from backend.logs import REQUEST_ID
 from backend.metrics import REFUSED, STORE_ERRORS
 from backend.unknown_names import pointer
 from sim_core.errors import RidelabError, TooExpensiveError
@@ -100,7 +100,6 @@ def problem(
     status: int | None = None,
     errors: Sequence[Mapping[str, str]] = (),
     headers: Mapping[str, str] | None = None,
-    name: str | None = None,
 ) -> Response:
     """The response with this problem.
 
@@ -110,7 +109,6 @@ def problem(
         status: None is the kind's first one.
         errors: `{"pointer" or "parameter", "message"}` of each part that is to blame.
         headers: Of the answer.
-        name: Of the request; None is the current one's.
     """
     entry = KINDS[kind]
     status = status or entry.statuses[0]
@@ -123,13 +121,13 @@ def problem(
         status=status,
         detail=detail or entry.meaning,
         errors=[ProblemPlace.model_validate(place) for place in errors],
-        request_id=request_id() if name is None else name,
+        request_id=REQUEST_ID.get(),
     )
     return Response(content.model_dump_json(exclude_none=True), status, headers, MEDIA_TYPE)
 
 
 def register(app: FastAPI) -> None:
-    """Answer every exception with a problem. `GuardMiddleware` answers other exceptions with 500."""
+    """Answer every exception with a problem. `RequestMiddleware` answers other exceptions with 500."""
     app.add_exception_handler(HTTPException, _http)
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(ServiceError, _service)

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from fastapi import FastAPI
 
 KEEP_ALIVE = 30  # longer than clients and proxies keep theirs, or one may send just as the other closes [s]
-LONGEST_HEAD = 32_768  # that the parser takes in pieces; `GuardMiddleware` has the exact limits [bytes]
+LONGEST_HEAD = 32_768  # that the parser takes in pieces; `RequestMiddleware` has the exact limits [bytes]
 MAX_OPEN_FILES = 65_536  # each idle connection is one
 
 

@@ -15,7 +15,7 @@ from tempfile import NamedTemporaryFile
 from typing import IO, cast
 
 from backend.errors import BusyError, CostLimitError
-from backend.gate.budget import Budget
+from backend.gate import Budget
 
 MAX_IN_MEMORY = 4 * 1024 * 1024  # an answer that is expected to be longer is written into a file [bytes]
 CHUNK = 256 * 1024  # read and sent at once [bytes]

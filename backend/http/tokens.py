@@ -7,10 +7,8 @@ import secrets
 import time
 from collections.abc import Awaitable, Callable
 from pathlib import Path
-from typing import Annotated
 
 from cachetools import TTLCache
-from fastapi import Depends, Request
 from sqlalchemy.exc import SQLAlchemyError
 from starlette.datastructures import MutableHeaders
 from starlette.requests import HTTPConnection
@@ -79,15 +77,6 @@ class Tokens:
             logger.error("The tokens stay as they were, their file cannot be used: %s", reason)
         else:
             logger.info("The tokens were read again")
-
-
-async def caller(request: Request) -> str | None:
-    """The name of the request's token; None where the service has no tokens."""
-    name: str | None = getattr(request.state, CALLER, None)
-    return name
-
-
-Caller = Annotated[str | None, Depends(caller)]
 
 
 def _digest(text: str) -> str:

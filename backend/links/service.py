@@ -12,7 +12,7 @@ from backend.batches.models import Batch
 from backend.compute.workers import Workers
 from backend.cost.estimate import cost_of
 from backend.errors import InvalidError, NotFoundError
-from backend.gate import Gate
+from backend.gate import PIN_WEIGHT, Gate
 from backend.json_types import JsonObject
 from backend.links import preview
 from backend.links.models import SLUG_PATTERN, LinkRequest, LinkView
@@ -88,7 +88,7 @@ class Links:
         shared = [await self._shared(run, place, client) for run, place in places]
         _check_names(view, {item.strategy for each in shared for item in each.stored.results})
         missing = {key for each in shared for key in each.missing.values()}
-        self.gate.linking(client, links=len(shared), pinned=len(missing))
+        self.gate.links.take(client, len(shared) + PIN_WEIGHT * len(missing))
         series = [await self._pin(each, client) for each in shared]
         for each, pinned in zip(shared[1:], series[1:], strict=True):
             beside = replace(link, slug=digest.random_id(), target=each.stored.id, view={}, pin_of=link.slug)
@@ -115,7 +115,7 @@ class Links:
         if view.x not in (None, *stored.request["fields"]):
             raise _unknown("view/x", f"This batch sweeps {', '.join(stored.request['fields'])}")
         _check_names(view, stored.request["strategies"])
-        self.gate.linking(client)
+        self.gate.links.take(client)
         if not await self.store.write(self.store.links.save, link, {}):
             raise _unknown("batch_id", "There is no batch of this id")
 

@@ -8,7 +8,7 @@ from typing import Any
 import httpx
 import pytest
 
-from backend.gate.turns import Turns
+from backend.gate import Admission, RequestQueue
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
 HERE = "127.0.0.1"  # the client of these tests
@@ -16,11 +16,11 @@ JSON = {"Content-Type": "application/json"}
 _seeds = itertools.count(500_000)
 
 
-def full(turns: Turns) -> contextlib.ExitStack:
-    """As many requests of this client as it may have open."""
+def full(queue: RequestQueue) -> contextlib.ExitStack:
+    """Open as many requests of this client as it may have."""
     held = contextlib.ExitStack()
-    for _ in range(turns.client_queue):
-        held.enter_context(turns.ticket(HERE))
+    for _ in range(queue.max_client_requests):
+        held.enter_context(queue.admit(HERE))
     return held
 
 
@@ -44,7 +44,7 @@ def test_a_refusal_comes_before_the_body_is_read_and_what_is_only_read_is_read(
     service: Any, run: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     gate = service.services.gate
-    with full(gate.computing_turns):
+    with full(gate.compute_queue):
         answer = service.post("/api/v1/runs", content=b"no JSON", headers=JSON)
         assert (answer.status_code, int(answer.headers["retry-after"]) > 0) == (429, True)
         assert answer.json()["type"].endswith(":too-many-requests")
@@ -58,11 +58,11 @@ def test_a_refusal_comes_before_the_body_is_read_and_what_is_only_read_is_read(
             assert service.get(f"/api/v1/{path}").status_code == 429, path
         for path in (f"/api/v1/runs/{run['id']}", "/api/v1/schema", "/api/v1/batches", "/healthz", "/readyz"):
             assert service.get(path).status_code == 200, path
-    with full(gate.reading_turns):
+    with full(gate.read_queue):
         assert service.get("/api/v1/batches").status_code == 429
         assert service.run(list(run["strategies"]), run["scenario"]).status_code == 200
-    monkeypatch.setattr(gate.computing_turns, "queue", 1)
-    with gate.computing_turns.ticket("192.0.2.1"):
+    monkeypatch.setattr(gate.compute_queue, "max_requests", 1)
+    with gate.compute_queue.admit("192.0.2.1"):
         answer = service.post("/api/v1/runs", content=b"no JSON", headers=JSON)
         assert (answer.status_code, int(answer.headers["retry-after"]) > 0) == (503, True)
     monkeypatch.undo()
@@ -70,23 +70,24 @@ def test_a_refusal_comes_before_the_body_is_read_and_what_is_only_read_is_read(
 
 
 def test_who_hangs_up_while_waiting_for_a_turn_waits_no_more(service: Any, run: dict[str, Any]) -> None:
-    turns: Turns = service.services.gate.reading_turns
+    queue: RequestQueue = service.services.gate.read_queue
+    others = [Admission(queue, HERE) for _ in range(queue.client_slots)]
 
     async def take() -> None:
-        for _ in range(turns.client_places):
-            await turns.take_place(HERE)
+        for each in others:
+            await each.wait_for_slot()
 
     async def give_back() -> None:
-        for _ in range(turns.client_places):
-            turns.free_place(HERE)
+        for each in others:
+            each.release_slot()
 
     service.inside(take())
     with service.begun("GET", "/api/v1/batches") as left, service.begun("GET", "/api/v1/batches") as stays:
-        wait_until(lambda: turns.waiting == 2, "both wait for their turn")
+        wait_until(lambda: queue.waiting == 2, "both wait for their turn")
         assert service.run(list(run["strategies"]), run["scenario"]).status_code == 200
         left.close()
-        wait_until(lambda: turns.waiting == 1, "who has gone waits no more")
+        wait_until(lambda: queue.waiting == 1, "who has gone waits no more")
         service.inside(give_back())
         stays.settimeout(HANG_TIMEOUT)
         assert stays.recv(12) == b"HTTP/1.1 200"
-    wait_until(lambda: turns.open == 0, "nothing is left")
+    wait_until(lambda: not queue.open, "nothing is left")

@@ -18,8 +18,8 @@ import uvicorn
 from fastapi import FastAPI
 from starlette.datastructures import State
 
-from backend.http import body_rate
-from backend.http.guard import HEADERS
+from backend.http import middleware
+from backend.http.middleware import HEADERS
 from backend.http.server import server_config
 from tests.servers.process import HANG_TIMEOUT, Api, request
 
@@ -98,14 +98,14 @@ def check_problem(answer: bytes, status: int) -> dict[str, Any]:
     ids=["chunked", "sized"],
 )
 def test_a_body_that_comes_too_slowly_is_ended(address: Address, begin: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(body_rate, "GRACE", 0.2)
+    monkeypatch.setattr(middleware, "GRACE", 0.2)
     assert check_problem(exchange(address, POST + begin), 408)["type"].endswith("slow-body")
 
 
 def test_a_body_may_take_longer_where_it_keeps_coming(address: Address, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each byte wins more time here than the next one takes."""
-    monkeypatch.setattr(body_rate, "GRACE", 0.5)
-    monkeypatch.setattr(body_rate, "LEAST_RATE", 1.0)
+    monkeypatch.setattr(middleware, "GRACE", 0.5)
+    monkeypatch.setattr(middleware, "LEAST_RATE", 1.0)
     body = b'{"strategies": ["passive"]}'
     with connect(address) as connection:
         connection.sendall(POST + b"Content-Length: %d\r\nConnection: close\r\n\r\n" % len(body))
@@ -130,7 +130,7 @@ def test_a_long_body_that_is_refused_does_not_cost_its_answer(
 
 
 def test_who_sends_on_and_on_after_a_refusal_is_cut_off(address: Address, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(body_rate, "MOST_DROPPED", 1_000_000)
+    monkeypatch.setattr(middleware, "MOST_DROPPED", 1_000_000)
     with connect(address) as client:
         client.sendall(POST + b"Content-Length: 3000000000\r\n\r\n")
         with pytest.raises(ConnectionError):

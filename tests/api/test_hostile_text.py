@@ -11,7 +11,7 @@ import httpx
 import pytest
 
 from backend.batches import table as batch_table
-from backend.http.guard import HEADERS
+from backend.http.middleware import HEADERS
 from backend.settings import BUILT_PAGE
 from sim_core.catalogue import METRICS, SIGNALS
 from sim_core.strategies import STRATEGIES

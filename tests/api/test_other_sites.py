@@ -6,7 +6,7 @@ import httpx
 import pytest
 from starlette.responses import Response
 
-from backend.http.guard import GuardMiddleware
+from backend.http.middleware import RequestMiddleware
 from backend.settings import Settings
 from tests.api.test_problems import check
 from tests.servers.loops import ask
@@ -36,7 +36,7 @@ def test_the_own_page_and_the_hosts_that_are_listed_are_no_other_site(client: ht
     # A proxy that changes the host, such as a development server's: the browser knows better.
     behind = {"Origin": "http://localhost:5173", "Sec-Fetch-Site": "same-origin"}
     assert client.post("/api/v1/live", headers=behind).status_code == 415
-    guard = GuardMiddleware(Response("here"), Settings(allowed_hosts="lab.example.com,127.0.0.1").hosts)
+    guard = RequestMiddleware(Response("here"), Settings(allowed_hosts="lab.example.com,127.0.0.1").hosts)
     for origin, status in (("https://LAB.example.com", 200), ("http://lab.example.com:81", 200), ("http://x.com", 403)):
         headers = {"Host": "127.0.0.1:8000", "Origin": origin}
         assert ask(guard, "POST", "/", headers=headers).status_code == status
@@ -76,7 +76,7 @@ def test_another_sites_picture_has_nothing_computed(
 
 
 def test_only_hosts_that_are_listed_are_served() -> None:
-    guard = GuardMiddleware(Response("here"), Settings(allowed_hosts="Lab.example.com, *.example.org,::1").hosts)
+    guard = RequestMiddleware(Response("here"), Settings(allowed_hosts="Lab.example.com, *.example.org,::1").hosts)
 
     def get(path: str, host: str) -> httpx.Response:
         return ask(guard, "GET", path, headers={"Host": host})

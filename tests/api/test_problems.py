@@ -17,7 +17,7 @@ from backend.errors import (
     WorkerTimeoutError,
 )
 from backend.http import openapi
-from backend.http.guard import HEADERS
+from backend.http.middleware import HEADERS
 from backend.http.problem_types import KINDS
 from backend.http.problems import Problem
 from sim_core.errors import RidelabError, TooExpensiveError

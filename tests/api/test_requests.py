@@ -12,8 +12,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from backend.http import routing
-from backend.http.strict_json import MAX_MEMBERS, StrictJSONError, parse
+from backend.api import routing
+from backend.http.problems import RequestError
+from backend.http.strict_json import MAX_MEMBERS, parse
 from tests.api.test_problems import check
 from tests.servers.process import wait_until
 
@@ -60,14 +61,14 @@ def test_json_is_read_in_one_way_or_not_at_all(status: int, texts: list[str]) ->
                 for each in (value if isinstance(value, list) else [])
             )
             answered_status = 200
-        except StrictJSONError as error:
-            answered_status = error.status
+        except RequestError as error:
+            answered_status = error.status or 0
         assert answered_status == status, text[:40]
 
 
 @given(st.binary(max_size=200))
 def test_any_bytes_are_a_value_or_an_error(body: bytes) -> None:
-    with contextlib.suppress(StrictJSONError):
+    with contextlib.suppress(RequestError):
         assert parse(body) == json.loads(body)
 
 

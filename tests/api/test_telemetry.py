@@ -12,7 +12,7 @@ import httpx
 import pytest
 from prometheus_client.parser import text_string_to_metric_families
 
-from backend.http.request_log import SANE
+from backend.http.middleware import HARMLESS_ID
 from backend.logs import CONTROL, configure
 from backend.metrics import count_runs
 from sim_core import __version__
@@ -96,7 +96,7 @@ def test_gauges_tell_what_is_held_now(service: Any) -> None:
     )
     with (
         service.services.gate.streams.hold("192.0.2.1", 1),
-        service.services.gate.computing_turns.ticket("192.0.2.1"),
+        service.services.gate.compute_queue.admit("192.0.2.1"),
         service.services.gate.computing("192.0.2.1", 0.5),
     ):
         held = samples(service)
@@ -141,7 +141,7 @@ def test_a_requests_name_is_used_where_it_is_harmless(client: httpx.Client) -> N
         assert client.get("/healthz", headers={"X-Request-ID": name}).headers["x-request-id"] == name
     for name in ("", "x" * 65, "a b", "a;b", "<script>", "a\tb", "é"):
         answer = client.get("/healthz", headers=[(b"X-Request-ID", name.encode("latin-1"))])
-        assert SANE.fullmatch(answer.headers["x-request-id"])
+        assert HARMLESS_ID.fullmatch(answer.headers["x-request-id"])
         assert answer.headers["x-request-id"] not in (name, "a")
 
 

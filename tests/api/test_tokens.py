@@ -10,7 +10,7 @@ from pathlib import Path
 import httpx
 import pytest
 from cachetools import TTLCache
-from fastapi import FastAPI
+from fastapi import FastAPI, Request
 from sqlalchemy import update
 from sqlalchemy.exc import OperationalError
 
@@ -18,7 +18,7 @@ from backend.app import create_app
 from backend.command_error import CommandError
 from backend.db.tables import jobs
 from backend.http import openapi
-from backend.http.tokens import COOKIE, LIFETIME, MAX_CHECKED, RECHECK_AFTER, Caller, Logins, Tokens, cookie_key
+from backend.http.tokens import COOKIE, LIFETIME, MAX_CHECKED, RECHECK_AFTER, Logins, Tokens, cookie_key
 from backend.settings import Settings
 from backend.store import Store
 from backend.token_file import read_tokens
@@ -50,9 +50,10 @@ def app(tmp_path_factory: pytest.TempPathFactory) -> FastAPI:
     app.state.services.store.migrate()
 
     @app.get("/caller")
-    async def caller(caller: Caller) -> str | None:
-        """Who asks."""
-        return caller
+    async def caller(request: Request) -> str | None:
+        """Return who asks."""
+        name: str | None = request.state.caller
+        return name
 
     return app
 

@@ -9,7 +9,7 @@ from prometheus_client.core import Metric
 from pydantic_core import PydanticUndefined
 
 from backend.__main__ import main
-from backend.gate.gate import Gate, explained
+from backend.gate import Gate, explained
 from backend.metrics import service_registry
 from backend.settings import REMOVED, Settings
 

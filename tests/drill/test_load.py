@@ -16,7 +16,7 @@ from dataclasses import dataclass, field
 
 import pytest
 
-from backend.gate.gate import SERVICE_QUEUES
+from backend.gate import SERVICE_QUEUES
 from backend.settings import Settings
 from tests.drill.callers import Caller, new_run, quantile, run_id
 from tests.servers import loops

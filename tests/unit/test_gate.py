@@ -9,23 +9,20 @@ from typing import Any
 
 import pytest
 
+from backend.api.routing import client_key
 from backend.errors import BusyError, CostLimitError, TooManyRequestsError
-from backend.gate import Gate
-from backend.gate.budget import Budget
-from backend.gate.rate import TokenBucket
-from backend.gate.turns import Turns
-from backend.http.client_key import client_key
+from backend.gate import Budget, Gate, LinkRate, RequestQueue
 from backend.settings import Settings
 from tests.servers import loops
 
-PLACES, CLIENT_PLACES = 16, 12
+SLOTS, CLIENT_SLOTS = 16, 12
 
 
 class Crowd:
     """Requests that wait for their turn; those that have it end when they are told to."""
 
-    def __init__(self, client_queue: int = 1000, queue: int = 1000) -> None:
-        self.turns = Turns(client_places=CLIENT_PLACES, places=PLACES, client_queue=client_queue, queue=queue)
+    def __init__(self) -> None:
+        self.queue = RequestQueue(client_slots=CLIENT_SLOTS, slots=SLOTS, max_client_requests=1000, max_requests=1000)
         self.handled: list[tuple[str, asyncio.Event]] = []  # in the order of their turns
         self.tasks: list[asyncio.Task[None]] = []
 
@@ -49,8 +46,8 @@ class Crowd:
         return Counter(client for client, _ in self.handled)
 
     async def _request(self, client: str) -> None:
-        with self.turns.ticket(client) as ticket:
-            await ticket.turn()
+        with self.queue.admit(client) as admission:
+            await admission.wait_for_slot()
             over = asyncio.Event()
             self.handled.append((client, over))
             await over.wait()
@@ -60,14 +57,13 @@ class Crowd:
         for task in self.tasks:
             task.cancel()
         await asyncio.gather(*self.tasks, return_exceptions=True)
-        assert (self.turns.open, self.turns.waiting) == (0, 0)
-        assert not self.turns._handled
+        assert (self.queue.open, self.queue.waiting, self.queue.handled) == ({}, 0, {})
 
 
 async def another_client_finds_a_place_at_once_and_then_each_has_its_turn(crowd: Crowd) -> None:
     await crowd.send(*["greedy"] * 50)
     await crowd.send(*["polite"] * 6)
-    assert crowd.counts == {"greedy": CLIENT_PLACES, "polite": PLACES - CLIENT_PLACES}
+    assert crowd.counts == {"greedy": CLIENT_SLOTS, "polite": SLOTS - CLIENT_SLOTS}
     await crowd.send("late")
     assert crowd.counts["late"] == 0
     for _ in range(3):
@@ -76,23 +72,23 @@ async def another_client_finds_a_place_at_once_and_then_each_has_its_turn(crowd:
 
 
 async def who_goes_away_leaves_queue_and_place(crowd: Crowd) -> None:
-    await crowd.send(*["a"] * (CLIENT_PLACES + 2))
+    await crowd.send(*["a"] * (CLIENT_SLOTS + 2))
     crowd.tasks[-1].cancel()
     await crowd.settle()
-    assert crowd.turns.waiting == 1
+    assert crowd.queue.waiting == 1
     crowd.tasks[0].cancel()
     await crowd.settle()
-    assert (crowd.turns.waiting, crowd.turns.open) == (0, CLIENT_PLACES)
+    assert (crowd.queue.waiting, crowd.queue.open.total()) == (0, CLIENT_SLOTS)
 
 
 async def a_turn_that_comes_as_its_request_goes_away_is_the_next_ones(crowd: Crowd) -> None:
-    await crowd.send(*["a"] * (CLIENT_PLACES + 2))
+    await crowd.send(*["a"] * (CLIENT_SLOTS + 2))
     crowd.handled[0][1].set()  # its place goes to the first that waits, which is called off just then
     crowd.handled.pop(0)
     await asyncio.sleep(0)
-    crowd.tasks[CLIENT_PLACES].cancel()
+    crowd.tasks[CLIENT_SLOTS].cancel()
     await crowd.settle()
-    assert crowd.counts["a"] == CLIENT_PLACES
+    assert crowd.counts["a"] == CLIENT_SLOTS
 
 
 @pytest.mark.parametrize(
@@ -104,7 +100,7 @@ async def a_turn_that_comes_as_its_request_goes_away_is_the_next_ones(crowd: Cro
     ],
     ids=lambda story: str(story.__name__),
 )
-def test_turns(story: Callable[[Crowd], Any]) -> None:
+def test_requests_take_turns(story: Callable[[Crowd], Any]) -> None:
     async def told() -> None:
         crowd = Crowd()
         await story(crowd)
@@ -126,23 +122,23 @@ def test_no_client_is_passed_over_whatever_is_sent_and_called_off(seed: int) -> 
                 case "cancel" if crowd.tasks:
                     drawn.choice(crowd.tasks).cancel()
                     await crowd.settle()
-                    crowd.handled = [each for each in crowd.handled if crowd.turns._handled[each[0]]]
-            assert all(count <= CLIENT_PLACES for count in crowd.turns._handled.values())
-            assert crowd.turns._handled.total() <= PLACES
-            if crowd.turns.waiting and crowd.turns._handled.total() < PLACES:
-                assert all(crowd.turns._handled[client] == CLIENT_PLACES for client in crowd.turns._waiting)
+                    crowd.handled = [each for each in crowd.handled if crowd.queue.handled[each[0]]]
+            assert all(count <= CLIENT_SLOTS for count in crowd.queue.handled.values())
+            assert crowd.queue.handled.total() <= SLOTS
+            if crowd.queue.waiting and crowd.queue.handled.total() < SLOTS:
+                assert all(crowd.queue.handled[client] == CLIENT_SLOTS for client in crowd.queue._waiting)
         await crowd.drain()
 
     loops.run(told)
 
 
 def test_only_a_queue_longer_than_stated_is_refused() -> None:
-    turns = Turns(client_places=2, places=4, client_queue=4, queue=6)
+    queue = RequestQueue(client_slots=2, slots=4, max_client_requests=4, max_requests=6)
     with contextlib.ExitStack() as held:
 
         def take(client: str, count: int = 1) -> None:
             for _ in range(count):
-                held.enter_context(turns.ticket(client))
+                held.enter_context(queue.admit(client))
 
         take("greedy", 4)
         with pytest.raises(TooManyRequestsError, match="4 requests open") as refused:
@@ -152,20 +148,20 @@ def test_only_a_queue_longer_than_stated_is_refused() -> None:
         with pytest.raises(BusyError, match="6 requests are open"):
             take("second")
         take("polite")
-        assert turns.open == 8, "it had less than its share"
-    assert turns.open == 0
+        assert queue.open.total() == 8, "it had less than its share"
+    assert not queue.open
 
 
 def test_a_long_computation_leaves_its_place_to_others() -> None:
     async def told() -> None:
         gate = Gate(Settings())
-        turns = gate.computing_turns
-        with turns.ticket("a") as ticket:
-            await ticket.turn()
+        queue = gate.compute_queue
+        with queue.admit("a") as admission:
+            await admission.wait_for_slot()
             with gate.computing("a", 0.5):
-                assert turns._handled["a"] == 1
+                assert queue.handled["a"] == 1
             with gate.computing("a", 30.0), gate.computing("a", 2.0):
-                assert (turns._handled["a"], turns.open, gate.load["cost"]) == (0, 1, 32.0)
+                assert (queue.handled["a"], queue.open["a"], gate.load["cost"]) == (0, 1, 32.0)
         assert set(gate.load.values()) == {0}
 
     loops.run(told)
@@ -202,7 +198,7 @@ def test_what_several_requests_of_a_client_hold_is_given_back_to_the_last_byte(a
 
 def test_links_are_limited_by_rate() -> None:
     now = 100.0
-    rate = TokenBucket(what="links", burst=3, each_second=0.5, clock=lambda: now)
+    rate = LinkRate(3, 0.5, clock=lambda: now)
 
     def take(client: str, tokens: int = 1) -> int:
         """Return 0, or after how many seconds it may be asked again."""

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from backend.errors import BusyError, CostLimitError, TooManyRequestsError
-from backend.gate.budget import Budget
+from backend.gate import Budget
 from backend.http.spool import MAX_IN_MEMORY, Spool, SpoolFile
 from backend.pieces import render_to
 from tests.servers import loops
@@ -20,7 +20,7 @@ LONG = MAX_IN_MEMORY + 1
 OTHER = """
 import sys, time
 from pathlib import Path
-from backend.gate.budget import Budget
+from backend.gate import Budget
 from backend.http.spool import Spool
 file = Spool(Path(sys.argv[1]), Budget("space", 1e9)).file("one", 5)
 file.path.write_bytes(b"begun")
