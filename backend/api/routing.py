@@ -159,16 +159,16 @@ async def _read_body(request: ApiRequest, types: Mapping[str, int], held: ExitSt
     if request.headers.get("content-encoding", "identity").strip().lower() != "identity":
         raise RequestError("unsupported-media-type", "The body has to come as it is, without a Content-Encoding.")
     longest, counted, pieces = types[kind], 0, bytearray()
-    too_long = RequestError("too-long", f"The body may have {longest} bytes.")
+    too_long = f"The body may have {longest} bytes."
     length = request.headers.get("content-length", "")
     announced = int(length[:12]) if length.isdecimal() else 0
     if announced > longest:
-        raise too_long
+        raise RequestError("too-long", too_long)
     async for piece in request.stream():
         pieces += piece
         expected = max(announced, len(pieces))
         if expected > longest:
-            raise too_long
+            raise RequestError("too-long", too_long)
         if expected > max(counted, BULKY):
             more = max(expected, min(longest, 2 * counted)) - counted
             held.enter_context(request.services.gate.memory.hold(request.client_id, more))

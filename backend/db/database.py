@@ -16,7 +16,7 @@ from typing import Any, ParamSpec, TypeVar
 from sqlalchemy import Connection, ExceptionContext, Row, Select, Table, event, inspect, make_url, select
 from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
 
-from backend.db.checksum import check
+from backend.db.columns import Now, is_intact
 from backend.db.commits import Commits
 from backend.db.migrations import BASELINE, REVISIONS, create, upgrade
 from backend.db.server import ReadOnlyError, SilentServerError, is_deadlock, is_silent, server_engine
@@ -35,7 +35,7 @@ from backend.db.sqlite import (
     try_writing,
 )
 from backend.db.tables import runs, schema_version
-from backend.db.types import Now
+from backend.errors import DamagedError
 
 logger = logging.getLogger(__name__)
 
@@ -57,6 +57,11 @@ class Database:
 
     Reads and writes have threads of their own, so that no read waits behind writes. SQLite takes one write at a time:
     writes of this process queue for their one thread, and those of other processes for the file's lock.
+
+    Attributes:
+        read: Calls a method that reads in a thread: it waits for the disk, which the event loop must not.
+        write: Calls a method that writes, in one transaction, in a thread of its own.
+        damage: What to do about it, once a damaged page was met; None before.
     """
 
     def __init__(self, url: str) -> None:
@@ -64,10 +69,11 @@ class Database:
         self._file = database_file(parsed)
         self._is_sqlite = parsed.get_backend_name() == "sqlite"
         self.engine = sqlite_engine(parsed, self._file) if self._is_sqlite else server_engine(parsed)
-        self._reads = _RetryingThreads("read", READERS)
-        self._writes = _RetryingThreads("write", 1 if self._is_sqlite else SERVER_WRITERS)
+        self._reads = _RetryingThreads("read", READERS, self._is_locked_by_us)
+        self._writes = _RetryingThreads("write", 1 if self._is_sqlite else SERVER_WRITERS, self._is_read_by_us)
+        self.read, self.write = self._reads.run, self._writes.run
         event.listen(self.engine, "handle_error", self._note_damage)
-        self.damage: str | None = None  # what to do about it, once a damaged page was met
+        self.damage: str | None = None
         self._usable = True
         self._open_writes = 0
         self._committing = False
@@ -80,34 +86,12 @@ class Database:
         """Tell those who follow them that these jobs were changed."""
         self.commits.notify(*job_ids)
 
-    async def read(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
-        """Run a method that reads in a thread: it waits for the disk, which the event loop must not.
-
-        Where it writes as well, for it met something damaged, it is called again as `write` does.
-
-        Raises:
-            DatabaseLockedError: Another program keeps SQLite from being read.
-        """
-        return await self._reads.run(partial(method, *args, **kwargs), self._is_locked_by_us)
-
-    async def write(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
-        """Run a method that writes, in one transaction, in a thread of its own.
-
-        It is called again where SQLite is locked, and where PostgreSQL rolled it back for a deadlock.
-
-        Raises:
-            DatabaseLockedError: Another program keeps SQLite from being written.
-        """
-        return await self._writes.run(partial(method, *args, **kwargs), self._is_read_by_us)
-
     @contextlib.contextmanager
     def reading(self, *, large: bool = False) -> Iterator[Connection]:
-        """A transaction that reads, a large one perhaps all rows of a table.
+        """Begin a transaction that reads, a large one perhaps all rows of a table.
 
         Rows are processed after its end, for which SQLite's writers wait.
         """
-        if self._file is not None:
-            self._file.check()
         with self.engine.connect() as connection:
             if large:
                 connection.execution_options(large=True)
@@ -133,9 +117,7 @@ class Database:
 
     @contextlib.contextmanager
     def writing(self, *, large: bool = False) -> Iterator[Connection]:
-        """A transaction that commits at the end of its block; a large one may last and need not fit into memory."""
-        if self._file is not None:
-            self._file.check()
+        """Begin a transaction that commits at its block's end; a large one may last and need not fit into memory."""
         with self.engine.connect().execution_options(lock_timeout=LOCK_TIMEOUT, large=large) as connection:
             transaction = connection.begin()
             self._open_writes += 1
@@ -207,7 +189,7 @@ class Database:
             logger.error("%s%s. The first error was: %s", where, DAMAGED, context.original_exception)
 
     def _is_locked_by_us(self, _: float) -> bool:
-        """Whether the lock that keeps us from reading SQLite is our own: while we write, nobody else holds one."""
+        """Check whether our own lock keeps us from reading SQLite: while we write, nobody else holds one."""
         return self._is_sqlite and self._open_writes > 0
 
     def _is_read_by_us(self, since: float) -> bool:
@@ -252,11 +234,17 @@ class RowStore:
         self._database = database
 
     def _checked(self, table: Table, query: Select[Any], what: str) -> Sequence[Row[Any]]:
-        """Return the table's rows that the query finds, each as it was written; `what` is as in `check`."""
+        """Return the table's rows that the query finds; raises DamagedError where one is not as it was written.
+
+        Args:
+            table: Whose rows they are.
+            query: Finds them.
+            what: One of them, for the reader of the error.
+        """
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
-        for row in rows:
-            check(table, row, what)
+        if not all(is_intact(table, row) for row in rows):
+            raise DamagedError(what)
         return rows
 
 
@@ -266,32 +254,28 @@ class _RetryingThreads:
     What queued behind one that waited in vain fails with it: else each would wait as long, one after the other.
     """
 
-    def __init__(self, name: str, threads: int) -> None:
+    def __init__(self, name: str, threads: int, locked_by_us: Callable[[float], bool]) -> None:
         self._threads = ThreadPoolExecutor(threads, thread_name_prefix=f"store-{name}")
+        # Checks whether a try that began then met a lock of our own, which is waited for without a time limit.
+        self._locked_by_us = locked_by_us
         self._timed_out_at = 0.0
         self._timed_out: type[DatabaseLockedError | SilentServerError] = DatabaseLockedError
 
-    async def run(self, method: Callable[[], T], locked_by_us: Callable[[float], bool]) -> T:
-        """Call the method, and again while SQLite is locked or after a deadlock.
-
-        Args:
-            method: One transaction, which is rolled back where it fails.
-            locked_by_us: Whether a try that began then met a lock of our own, which is waited for without a time limit.
+    async def run(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
+        """Call a method of one transaction, and again while SQLite is locked or after a deadlock, which rolls it back.
 
         Raises:
             DatabaseLockedError: Another program has held a lock for longer than `LOCK_TIMEOUT`.
             SilentServerError: One before it got no answer.
         """
-        submitted = time.monotonic()
-        return await asyncio.get_running_loop().run_in_executor(
-            self._threads, self._call, method, locked_by_us, submitted
-        )
+        submitted, work = time.monotonic(), partial(method, *args, **kwargs)
+        return await asyncio.get_running_loop().run_in_executor(self._threads, self._call, work, submitted)
 
     def close(self) -> None:
         """Wait for the threads to end."""
         self._threads.shutdown()
 
-    def _call(self, method: Callable[[], T], locked_by_us: Callable[[float], bool], submitted: float) -> T:
+    def _call(self, method: Callable[[], T], submitted: float) -> T:
         end, deadlocks = time.monotonic() + LOCK_TIMEOUT, 0
         while submitted > self._timed_out_at:
             begun = time.monotonic()
@@ -305,7 +289,7 @@ class _RetryingThreads:
                     continue  # the transaction that it met has what it waited for
                 if not is_locked(error):
                     raise
-                if time.monotonic() > end and not locked_by_us(begun):
+                if time.monotonic() > end and not self._locked_by_us(begun):
                     self._timed_out, self._timed_out_at = DatabaseLockedError, time.monotonic()
             time.sleep(COMMIT_TIMEOUT / 2)  # readers may begin
         raise self._timed_out
@@ -322,5 +306,5 @@ def insert_new(connection: Connection, table: Table, rows: Sequence[dict[str, ob
 
 
 def dialect_insert(connection: Connection, table: Table) -> Any:
-    """An INSERT of its dialect, which may say what becomes of rows that are there; no other dialect is imported."""
+    """Return an INSERT of its dialect, which may say what becomes of rows that are there; imports no other dialect."""
     return import_module(f"sqlalchemy.dialects.{connection.dialect.name}").insert(table)

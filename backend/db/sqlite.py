@@ -13,7 +13,7 @@ from sqlalchemy import URL, Connection, Engine, create_engine, event
 from sqlalchemy.exc import DBAPIError, OperationalError
 
 from backend.command_error import CommandError
-from backend.db.types import SQLITE_FUNCTION
+from backend.db.columns import SQLITE_FUNCTION
 
 LOCK_TIMEOUT = 1.0  # a lock of another program is waited for so long, then it is an error [s]
 # While a commit waits for the last reader, SQLite lets no other reader begin: it is rolled back and tried again [s].
@@ -62,11 +62,11 @@ class DamagedDatabaseError(OperationalError):
 
 
 class DatabaseFile:
-    """The file of a SQLite database."""
+    """The file of a SQLite database; `opened` says which one it was at the first transaction."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
-        self._opened: tuple[int, int] | None = None
+        self.opened: tuple[int, int] | None = None
 
     def connect(self) -> sqlite3.Connection:
         """Return a connection; unlike SQLite's own it creates no file where there is none."""
@@ -108,20 +108,6 @@ class DatabaseFile:
             except OSError:  # a file system without hard links
                 new.replace(self.path)
 
-    def check(self) -> None:
-        """Raise where the file is not the one of the first call.
-
-        Raises:
-            DatabaseReplacedError: It is not.
-        """
-        try:
-            status = self.path.stat()
-        except OSError:
-            raise DatabaseReplacedError(self.path) from None
-        self._opened = self._opened or (status.st_dev, status.st_ino)
-        if self._opened != (status.st_dev, status.st_ino):
-            raise DatabaseReplacedError(self.path)
-
 
 def database_file(url: URL) -> DatabaseFile | None:
     """The file of a database at that URL; None where SQLite itself is told more of it, by `file:`, or on a server."""
@@ -136,7 +122,7 @@ def sqlite_engine(url: URL, file: DatabaseFile | None) -> Engine:
     else:
         engine = create_engine(url, creator=file.connect)
     event.listen(engine, "connect", _set_up)
-    event.listen(engine, "begin", _begin)
+    event.listen(engine, "begin", partial(_begin, file))
     return engine
 
 
@@ -155,8 +141,20 @@ def _now() -> str:
     return f"{datetime.now(UTC):%Y-%m-%d %H:%M:%S.%f}"
 
 
-def _begin(connection: Connection) -> None:
-    """Have a writer take its lock at once: one that upgrades a read lock may fail without waiting."""
+def _begin(file: DatabaseFile | None, connection: Connection) -> None:
+    """Have a writer take its lock at once: one that upgrades a read lock may fail without waiting.
+
+    Raises:
+        DatabaseReplacedError: The file is not the one of the first transaction.
+    """
+    if file is not None:
+        try:
+            status = file.path.stat()
+        except OSError:
+            raise DatabaseReplacedError(file.path) from None
+        file.opened = file.opened or (status.st_dev, status.st_ino)
+        if file.opened != (status.st_dev, status.st_ino):
+            raise DatabaseReplacedError(file.path)
     options = connection.get_execution_options()
     lock_timeout: float | None = options.get("lock_timeout")
     driver: Any = connection.connection.dbapi_connection  # where nothing can fail: SQLAlchemy takes ten times as long

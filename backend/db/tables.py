@@ -18,8 +18,7 @@ from sqlalchemy import (
     text,
 )
 
-from backend.db.checksum import UNCHECKED, checksum_column
-from backend.db.types import Json, Now, Utc
+from backend.db.columns import UNCHECKED, Json, Now, Utc, checksum_column
 
 metadata = MetaData(
     naming_convention={

@@ -86,7 +86,7 @@ class Links:
         """
         places = [(link.target, "run_id"), *((pin.run, f"view/pins/{n}/run") for n, pin in enumerate(view.pins or []))]
         shared = [await self._shared(run, place, client) for run, place in places]
-        _check_names(view, {item.strategy for each in shared for item in each.stored.results})
+        _check_names(view, {name for each in shared for name in each.stored.by_strategy})
         missing = {key for each in shared for key in each.missing.values()}
         self.gate.links.take(client, len(shared) + PIN_WEIGHT * len(missing))
         series = [await self._pin(each, client) for each in shared]
@@ -193,10 +193,10 @@ class Links:
         return link
 
     async def _run(self, link: StoredLink) -> StoredRun:
-        stored = await self.store.read(self.store.runs.load, link.target)
+        stored = await self.runs.load(link.target)
         if stored is None:
             raise RuntimeError("A link's run is not there, though nothing removes runs")
-        return replace(stored, scenario=upgraded_scenario(stored.scenario, stored.schema_version))
+        return stored
 
     async def _job(self, link: StoredLink) -> StoredJob:
         stored = await self.store.read(self.store.jobs.load, link.target)

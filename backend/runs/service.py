@@ -97,7 +97,7 @@ class Runs:
         against = None if roads == 1 else baseline or default_baseline(names)
         identity = digest.canonical_identity(scenario)
         run_id = digest.run_id(scenario, names, roads, against, identity)
-        stored = await self._load(run_id)
+        stored = await self.load(run_id)
         if stored is not None and not stored.expired:
             CACHE.labels("hit").inc(len(names) * roads)
             return stored, dict.fromkeys(names, True)
@@ -110,7 +110,7 @@ class Runs:
             core_version=CORE_VERSION,
             schema_version=SCHEMA_VERSION,
             scenario=scenario.model_dump(mode="json"),
-            results=tuple(each[name] for each in by_road for name in names),
+            by_strategy={name: [each[name] for each in by_road] for name in names},
             roads=roads,
             baseline=against,
         )
@@ -195,7 +195,7 @@ class Runs:
             RoadGoneError: It would be computed on a measured road that is not stored any more.
             TemporaryError: Too much is being computed.
         """
-        stored = await self._load(run_id)
+        stored = await self.load(run_id)
         if stored is None:
             raise NotFoundError("There is no run of this id.")
         return await self._computed_again(stored, client) if stored.expired else stored
@@ -211,13 +211,16 @@ class Runs:
         except NotFoundError as error:
             raise InvalidError(error.message, parameter="against") from None
 
-    async def _load(self, run_id: str) -> StoredRun | None:
-        """The run as it is stored, its scenario today's."""
+    async def load(self, run_id: str) -> StoredRun | None:
+        """Return the run as it is stored, its scenario today's.
+
+        Raises:
+            NewerSchemaError: A newer version of the service stored it.
+        """
         stored = await self.store.read(self.store.runs.load, run_id)
         if stored is None or (stored.core_version, stored.schema_version) == (CORE_VERSION, SCHEMA_VERSION):
             return stored  # as this very version wrote it
-        scenario = upgraded_scenario(stored.scenario, stored.schema_version)
-        return replace(stored, scenario=scenario, schema_version=SCHEMA_VERSION)
+        return replace(stored, scenario=upgraded_scenario(stored.scenario, stored.schema_version))
 
     async def _computed_again(self, stored: StoredRun, client: str) -> StoredRun:
         """A run whose missing results are computed by this core version.
@@ -239,15 +242,9 @@ class Runs:
             raise RoadGoneError from None
         again = {name: [each[name] for each in by_road] for name in names}
         again |= {name: [replace(item, **_FAILED_BEFORE) for item in by_name[name]] for name in changed}
-        run = stored.with_outcomes(again, CORE_VERSION)
+        run = replace(stored.with_outcomes(again, CORE_VERSION), schema_version=SCHEMA_VERSION)
         if whole:
-            run = replace(
-                run,
-                results=tuple(each[name] for each in by_road for name in names),
-                core_version=CORE_VERSION,
-                schema_version=SCHEMA_VERSION,
-                scenario=scenario.model_dump(mode="json"),
-            )
+            run = replace(run, by_strategy=again, core_version=CORE_VERSION, scenario=scenario.model_dump(mode="json"))
         if any(item.cacheable for each in by_road for item in each.values()):
             await self.store.write(self.store.runs.recompute, run, CORE_VERSION)
         return run
@@ -293,7 +290,7 @@ def ordered(strategies: Iterable[str]) -> list[str]:
 
 
 def upgraded_scenario(scenario: JsonObject, schema_version: int) -> JsonObject:
-    """A stored scenario as today's schema has it.
+    """Return a stored scenario as today's schema has it.
 
     Raises:
         NewerSchemaError: A newer version of the service stored it.

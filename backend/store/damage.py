@@ -10,7 +10,7 @@ from typing import Any
 
 from sqlalchemy import Connection, Row, Table, delete, or_, select, update
 
-from backend.db.checksum import is_intact
+from backend.db.columns import Now, is_intact
 from backend.db.database import Database
 from backend.db.tables import (
     EXPIRED,
@@ -23,7 +23,6 @@ from backend.db.tables import (
     results,
     run_results,
 )
-from backend.db.types import Now
 from backend.metrics import DAMAGED_RESULTS
 from backend.store.job import FINAL
 from backend.store.jobs import change_state, lock
@@ -39,7 +38,7 @@ def drop_damaged_results(database: Database, rows: Iterable[Row[Any]], prefix: s
         rows: As they were read, with all columns of `results`.
         prefix: What the names of these begin with in the rows.
     """
-    damaged = {row._mapping[f"{prefix}key"] for row in rows if not _is_intact_result(row, prefix)}
+    damaged = {row._mapping[f"{prefix}key"] for row in rows if not is_intact(results, row, prefix)}
     if damaged:
         drop_results(database, damaged)
     return damaged
@@ -53,7 +52,7 @@ def drop_results(database: Database, keys: Iterable[str]) -> None:
     """
     with database.writing() as connection:
         rows = _locked(connection, results, keys)
-        damaged = [row.key for row in rows if not _is_intact_result(row)]
+        damaged = [row.key for row in rows if not is_intact(results, row)]
         expired = [row.key for row in rows if row.status == EXPIRED]
         connection.execute(update(results).where(results.c.key.in_(damaged)).values(**EXPIRED_RESULT))
         _tell_links(connection, damaged)
@@ -73,10 +72,6 @@ def drop_damaged_pins(database: Database, rows: Iterable[Row[Any]]) -> set[str]:
             _tell_links(connection, damaged)
         _report("series", damaged)
     return keys
-
-
-def _is_intact_result(row: Row[Any], prefix: str = "") -> bool:
-    return row._mapping[f"{prefix}status"] == EXPIRED or is_intact(results, row, prefix)
 
 
 def _locked(connection: Connection, table: Table, keys: Iterable[str]) -> Sequence[Row[Any]]:

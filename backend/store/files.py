@@ -9,9 +9,9 @@ from typing import Any
 
 from sqlalchemy import Connection, Row, Table, delete, func, select, update
 
+from backend.db.columns import Now
 from backend.db.database import Database, RowStore, insert_new
 from backend.db.tables import links
-from backend.db.types import Now
 from backend.errors import ConflictError, ForbiddenError, NotFoundError
 from backend.store.pages import read_page
 

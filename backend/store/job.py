@@ -5,7 +5,7 @@ from datetime import datetime
 from typing import Literal
 
 from backend import digest
-from backend.db.types import UNSTORED
+from backend.db.columns import UNSTORED
 from backend.json_types import JsonObject
 from backend.store.roads import measured_roads, swept_roads
 from sim_core import __version__ as CORE_VERSION

@@ -28,9 +28,9 @@ from sqlalchemy import (
 )
 from sqlalchemy.exc import IntegrityError
 
+from backend.db.columns import UNSTORED, Now
 from backend.db.database import RowStore
 from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, results, roads, trials
-from backend.db.types import UNSTORED, Now
 from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from backend.outcome import FAILED

@@ -7,10 +7,9 @@ from typing import Any, Literal
 
 from sqlalchemy import Connection, Row, delete, exists, or_, select, update
 
-from backend.db.checksum import checksum_of
+from backend.db.columns import UNSTORED, Now, checksum_of
 from backend.db.database import RowStore, insert_new
 from backend.db.tables import EXPIRED, REMOVED, jobs, links, pinned_series, results, run_results
-from backend.db.types import UNSTORED, Now
 from backend.errors import ForbiddenError, NotFoundError, RevokedError
 from backend.json_types import JsonObject
 from backend.store.damage import drop_damaged_pins

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 
 from sqlalchemy import select, update
 
-from backend.db.checksum import checksum_of
+from backend.db.columns import checksum_of
 from backend.db.database import Database
 from backend.db.tables import job_roads, road_owners, roads, run_roads
 from backend.json_types import JsonObject

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from sqlalchemy import Column, Connection, Table, select, update
 
-from backend.db.checksum import UNCHECKED
+from backend.db.columns import UNCHECKED
 from backend.db.database import insert_new
 from backend.db.tables import job_runs, links, pinned_series, recordings, results, roads, run_results, runs
 from backend.errors import DamagedError
@@ -127,7 +127,11 @@ def test_damaged_time_histories_of_a_link_are_made_again(service: Any, fresh: di
 
 
 RUN = StoredRun(
-    id="r" * 22, core_version="1", schema_version=1, scenario={"road": {}}, results=tuple(outcomes("a", "b"))
+    id="r" * 22,
+    core_version="1",
+    schema_version=1,
+    scenario={"road": {"profile": None}},
+    by_strategy={item.strategy: [item] for item in outcomes("a", "b")},
 )
 ROAD = MeasuredRoad.of(np.zeros(600))
 DRIVE = RecordedDrive.of({"time": np.arange(900.0), "body_acceleration": np.ones(900)})

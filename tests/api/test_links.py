@@ -8,7 +8,7 @@ import httpx
 import pytest
 from sqlalchemy import delete, select, update
 
-from backend.db.checksum import UNCHECKED
+from backend.db.columns import UNCHECKED
 from backend.db.tables import links, pinned_series, results, run_results, runs
 from backend.links.models import CreatedLink, Link
 from backend.runs import exports, pins

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from sqlalchemy import delete, update
 
-from backend.db.checksum import UNCHECKED
+from backend.db.columns import UNCHECKED
 from backend.db.tables import results, roads, run_roads
 from backend.roads.samples import HUMP as HUMP_OF_STREET
 from backend.roads.samples import POTHOLE, SAMPLES

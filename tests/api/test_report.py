@@ -139,8 +139,8 @@ def points(trace: dict[str, Any]) -> list[tuple[float, float]]:
 def test_a_run_without_histories_keeps_its_tables(service: Any, run: dict[str, Any]) -> None:
     store = service.services.store
     stored = store.runs.load(run["id"])
-    older = tuple(replace(item, key=f"older-{item.key}"[:43]) for item in stored.results)
-    store.runs.save(replace(stored, id="report-of-an-older-one", core_version="0.0.2", results=older))
+    older = {item.strategy: [replace(item, key=f"older-{item.key}"[:43])] for item in stored.results}
+    store.runs.save(replace(stored, id="report-of-an-older-one", core_version="0.0.2", by_strategy=older))
     answer = service.get("/api/v1/runs/report-of-an-older-one/report.html")
     assert answer.status_code == 200
     assert "script-src 'none'" in answer.headers["content-security-policy"]

@@ -47,9 +47,12 @@ def server_store(postgres: Postgres, migrated_postgres: str) -> Iterator[Store]:
     postgres.start()
 
 
+SCENARIO = {"road": {"profile": None, "name": "ä 😀"}}
+
+
 def outcomes(*keys: str) -> list[Outcome]:
     return [
-        Outcome(key=key, strategy="lv", status="ok", json=b'{"a":[1.5]}', compute_ms=2.0, cached=True) for key in keys
+        Outcome(key=key, strategy=key, status="ok", json=b'{"a":[1.5]}', compute_ms=2.0, cached=True) for key in keys
     ]
 
 
@@ -65,9 +68,12 @@ def saved_run(store: Store, run: StoredRun) -> StoredRun:
 
 
 def run_of(run_id: str, items: list[Outcome], version: int = 1) -> StoredRun:
-    scenario = {"road": "ä 😀"}
     return StoredRun(
-        id=run_id, core_version=str(version), schema_version=version, scenario=scenario, results=tuple(items)
+        id=run_id,
+        core_version=str(version),
+        schema_version=version,
+        scenario=SCENARIO,
+        by_strategy={item.strategy: [item] for item in items},
     )
 
 
@@ -142,8 +148,8 @@ def test_migrating_again_and_from_many_processes_changes_nothing(open_store: Ope
 def test_a_stored_result_stays_as_it_was_first(store: Store) -> None:
     first = save(store, "one", "a", "b")
     assert [item.key for item in first.results] == ["a", "b"]
-    assert first.scenario == {"road": "ä 😀"}
-    changed = [Outcome(key="a", strategy="lv", status="ok", json=b"{}", compute_ms=9.0)]
+    assert first.scenario == SCENARIO
+    changed = [Outcome(key="a", strategy="a", status="ok", json=b"{}", compute_ms=9.0)]
     second = saved_run(store, run_of("two", changed))
     assert second.results == first.results[:1]
     assert saved_run(store, run_of("one", changed, version=2)) == first

@@ -34,7 +34,15 @@ Backup = Callable[..., str]
 
 def save(store: Store, run_id: str) -> StoredRun:
     result = Outcome(key=f"of {run_id}", strategy="lv", status="ok", json='{"a":"ä"}'.encode(), compute_ms=2.0)
-    store.runs.save(StoredRun(id=run_id, core_version="1", schema_version=1, scenario={}, results=(result,)))
+    store.runs.save(
+        StoredRun(
+            id=run_id,
+            core_version="1",
+            schema_version=1,
+            scenario={"road": {"profile": None}},
+            by_strategy={"lv": [result]},
+        )
+    )
     run = store.runs.load(run_id)
     assert run is not None
     return run

@@ -53,7 +53,13 @@ def work(store: Store, rng: np.random.Generator) -> Iterator[None]:
     if what == 0:
         store.roads.save(MeasuredRoad.of(rng.normal(0, 0.01, int(rng.integers(100, 4000)))))
     elif what == 1:
-        run = StoredRun(id=digest.random_id(), core_version="1", schema_version=1, scenario={}, results=(result,))
+        run = StoredRun(
+            id=digest.random_id(),
+            core_version="1",
+            schema_version=1,
+            scenario={"road": {"profile": None}},
+            by_strategy={"lv": [result]},
+        )
         store.runs.save(run)
         yield
         link = StoredLink(slug=digest.random_id(), kind="run", target=run.id, view={})
