@@ -45,7 +45,7 @@ class BatchItem(Answer):
 
     id: str
     state: State
-    reason: str | None = Field(description="Why the batch as a whole failed")
+    reason: str | None = Field(description="Why the batch as a whole failed, or does not advance")
     problem: JobProblem | None = Field(description="Where planning it failed: what a dry run would have answered")
     label: str | None
     position: int = Field(description="Runs of batches accepted earlier that wait, until it runs: then they take turns")

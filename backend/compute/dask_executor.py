@@ -16,12 +16,14 @@ from backend import custom_controllers
 from backend.compute.chunk_messages import Chunk, ChunkOutcome
 from backend.compute.executor import ExecutorLostError
 from backend.compute.local_executor import LocalExecutor
+from backend.compute.memory import memory_limit
 from backend.compute.workers import BATCH_NICE, Workers
 from backend.settings import Settings
 from sim_core import __version__ as CORE_VERSION
 
 CONNECT_TIMEOUT = 10  # to a scheduler [s]
 CLOSE_TIMEOUT = 3  # for it to take leave [s]
+PROCESS_MEMORY = 120_000_000  # of a Dask worker, and of each of its processes [bytes]
 
 _executors: dict[str, LocalExecutor] = {}  # of this process, by Dask worker
 
@@ -124,12 +126,22 @@ async def _on_worker(chunk: Chunk, warm_up: str) -> ChunkOutcome:
     if multiprocessing.current_process().daemon:
         detail = f"the Dask worker at {worker.address} may have no children: --no-nanny, or distributed.worker.daemon"
         return ChunkOutcome(error="version_mismatch", detail=f"{detail}: false")
+    needed = PROCESS_MEMORY * (1 + worker.state.nthreads)
+    if (limit := memory_limit() or needed) < needed:
+        return ChunkOutcome(error="version_mismatch", detail=_too_little(limit, needed, worker.state.nthreads))
     executor = _executors.get(worker.address)
     if executor is None:
         workers = Workers(worker.state.nthreads, timeout=chunk.timeout, warm_up=warm_up, nice=BATCH_NICE)
         executor = _executors[worker.address] = LocalExecutor(workers)
     custom_controllers.set_sources(chunk.controllers)
     return await executor.compute(chunk)
+
+
+def _too_little(limit: int, needed: int, processes: int) -> str:
+    return (
+        f"A Dask worker may use {limit / 1e6:.0f} MB of memory, and needs {needed / 1e6:.0f} MB for its {processes} "
+        "processes: give it more (WORKER_MEMORY), or fewer processes (WORKER_CORES)"
+    )
 
 
 async def _stop(group: str) -> None:

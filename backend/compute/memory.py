@@ -1,7 +1,8 @@
-"""What glibc does with freed memory, in the service and in its workers; nothing with another C library."""
+"""How much memory a container may use; and what glibc does with freed memory, nothing with another C library."""
 
 import ctypes
 from contextlib import suppress
+from pathlib import Path
 
 _M_TRIM_THRESHOLD, _M_MMAP_THRESHOLD, _M_ARENA_MAX = -1, -3, -8  # mallopt(3)
 
@@ -27,6 +28,14 @@ def trim_memory() -> None:
     """Have glibc give back the freed pages that lie between blocks in use, which it keeps by itself."""
     with suppress(OSError, AttributeError):  # another C library
         ctypes.CDLL(None).malloc_trim(0)
+
+
+def memory_limit() -> int | None:
+    """Return how much this container may use [bytes]; None where nothing limits it."""
+    for name in ("memory.max", "memory/memory.limit_in_bytes"):  # cgroups of version 2, and 1, which has a vast number
+        with suppress(OSError, ValueError):
+            return int(Path("/sys/fs/cgroup", name).read_text())
+    return None
 
 
 def _set_allocator(*settings: tuple[int, int]) -> None:

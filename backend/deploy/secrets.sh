@@ -1,14 +1,17 @@
 #!/bin/sh
 # Makes what docker-compose.yml reads from secrets/: the database's password, Dask's certificate with the authority that
 # signed it, a certificate for the proxy that signed itself (put your own in its place: certificates and key in one PEM
-# file), and an empty list of tokens. What is there already stays; to change something delete it and run this again.
-# On a machine with one processor it also writes .env, as docker-compose.yml would ask for two. Needs openssl.
+# file), and an empty list of tokens; beside it the folder for controllers of one's own. What is there already stays; to
+# change something delete it and run this again. On a machine with one processor it also writes .env, as
+# docker-compose.yml would ask for two. Needs openssl.
 set -eu
 folder=${1:-secrets}
 mkdir -p "$folder"
 if [ "$(getconf _NPROCESSORS_ONLN)" = 1 ] && [ ! -e "$folder/../.env" ]; then
   printf '%s=1\n' API_CPUS DATABASE_CPUS API_WORKERS WORKER_CORES > "$folder/../.env"
 fi
+mkdir -p "$folder/../controllers"
+chmod 755 "$folder/../controllers"
 # Containers read the files as users of their own, so the files are open and the folder is not.
 chmod 700 "$folder"
 cd "$folder"

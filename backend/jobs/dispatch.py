@@ -2,6 +2,7 @@
 
 import asyncio
 import logging
+import time
 from collections.abc import Coroutine, Mapping, Sequence
 from typing import Any
 
@@ -50,6 +51,8 @@ class Dispatch:
         self._computing: set[asyncio.Task[None]] = set()
         self._committing: set[asyncio.Task[None]] = set()
         self.returned = asyncio.Event()  # one came back
+        self.obstacle: str | None = None  # why nothing is computed, since the last that came back with results
+        self.progressed = time.monotonic()  # when one came back with results, or none was there to send
 
     @property
     def count(self) -> int:
@@ -78,6 +81,7 @@ class Dispatch:
             if not runs:
                 return
             if outcome.computed is not None:
+                self.obstacle, self.progressed = None, time.monotonic()
                 computed, failures = _split(running, runs, outcome.computed)
             elif await self._retry(running, runs, outcome):
                 return
@@ -149,6 +153,8 @@ class Dispatch:
         """Halve a chunk that failed until the run that makes it fail is alone; False for that run."""
         logger.warning("A chunk of %d runs could not be computed: %s %s", len(runs), outcome.error, outcome.detail)
         if outcome.error not in REASONS:  # not the chunk's fault
+            if outcome.error == "version_mismatch":
+                self.obstacle = outcome.detail
             running.take_back(runs)
             await asyncio.sleep(PAUSE_AFTER_FAILURE)
             return True

@@ -42,6 +42,9 @@ JOB_POLL_INTERVAL = 1.0  # between two looks at what other services accepted or 
 PAUSE_AFTER_FAILURE = 2.0  # after the database or the executor failed, or the service was full [s]
 REPORT = 5.0  # between two updates of the metrics [s]
 STATES: tuple[State, ...] = get_args(State)
+STALLED = 20.0  # a job says why, where nothing has been computed for so long [s]
+NO_WORKERS = "The Dask scheduler has no worker; one with too little memory (WORKER_MEMORY) is killed whenever it starts"
+NO_SCHEDULER = "What computes the runs does not answer; the service's log says more"
 MAX_TASKS = 4  # jobs planned at once, and jobs whose steps are taken at once
 TRANSIENT = (SQLAlchemyError, OSError, TemporaryError, LeadershipLostError)
 UNFORESEEN = "It failed with an unforeseen error, which is in the service's log"
@@ -182,6 +185,7 @@ class Scheduler:
                 await asyncio.sleep(PAUSE_AFTER_FAILURE)
             except (ExecutorLostError, OSError, TimeoutError) as error:
                 logger.warning("What computes jobs does not answer: %s", error)
+                self._chunks.obstacle = NO_SCHEDULER
                 await self._end_executor()
                 await asyncio.sleep(PAUSE_AFTER_FAILURE)
             await self._rest(changes)
@@ -198,6 +202,10 @@ class Scheduler:
     async def _look(self) -> None:
         """Start jobs that were accepted and end jobs that were cancelled, by this service or another."""
         unfinished = {job.id: job for job in await self._store.read(self._store.jobs.unfinished)}
+        obstacle = self._chunks.obstacle if time.monotonic() > self._chunks.progressed + STALLED else None
+        for job in unfinished.values():
+            if job.state in ("queued", "running") and job.reason != obstacle:
+                await self._leadership.write(self._store.jobs.explain, job.id, obstacle)
         for job_id in self._running_jobs.keys() - unfinished.keys():
             await self._stop(job_id)
         self._planning.cancel(but={job.id for job in unfinished.values() if job.state == "planning"})
@@ -239,8 +247,14 @@ class Scheduler:
         """
         executor = self._executor
         if executor is None or not self._running_jobs:
+            self._chunks.progressed = time.monotonic()
             return
-        max_chunks = CHUNKS_PER_PROCESS * max(1, await executor.capacity())
+        capacity = await executor.capacity()
+        if not capacity:
+            self._chunks.obstacle = NO_WORKERS
+        elif self._chunks.obstacle == NO_WORKERS:
+            self._chunks.obstacle = None
+        max_chunks = CHUNKS_PER_PROCESS * max(1, capacity)
         looked_at: set[str] = set()
         while self._chunks.count < 2 * max_chunks:
             waiting = [each for each in self._running_jobs.values() if each.job.id not in looked_at]

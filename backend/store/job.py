@@ -30,7 +30,7 @@ class StoredJob:
         label: A user's name for it.
         owner: The name of the token that submitted it; None without tokens.
         state: Where it is.
-        reason: Why it failed.
+        reason: Why it failed, or does not advance.
         core_version: That accepted it, or of a tuning computes it; of a sweep each run names its own.
         schema_version: Of the scenario in the request.
         request: What was asked, defaults written out.

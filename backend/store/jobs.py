@@ -170,6 +170,14 @@ class JobStore(RowStore):
         """Set a queued job to running."""
         self._change_state(job_id, ("queued",), "running", started_at=_now_or(jobs.c.created_at))
 
+    def explain(self, job_id: str, reason: str | None) -> None:
+        """Say why a job that has not ended does not advance; None where it does."""
+        with self._database.writing() as connection:
+            if lock(connection, job_id) in UNFINISHED:
+                connection.execute(update(jobs).where(jobs.c.id == job_id).values(reason=reason))
+                add_event(connection, job_id, "state")
+        self._database.changed(job_id)
+
     def finish(self, job_id: str) -> bool:
         """Set a job to done; False, and no change, while one of its runs waits."""
         waiting = select(job_runs.c.position).where(waiting_runs(job_id))
@@ -177,7 +185,7 @@ class JobStore(RowStore):
             lock(connection, job_id)
             if connection.execute(waiting.limit(1)).first() is not None:
                 return False
-            change_state(connection, job_id, UNFINISHED, "done")
+            change_state(connection, job_id, UNFINISHED, "done", reason=None)
         self._database.changed(job_id)
         return True
 
@@ -199,7 +207,7 @@ class JobStore(RowStore):
             children = select(jobs.c.id).where(jobs.c.parent_id == job_id, jobs.c.state.in_(UNFINISHED))
             family = [job_id, *connection.execute(children).scalars()]
             for each in family:
-                if change_state(connection, each, UNFINISHED, "cancelled"):
+                if change_state(connection, each, UNFINISHED, "cancelled", reason=None):
                     connection.execute(update(job_runs).where(waiting_runs(each)).values(status="cancelled"))
         self._database.changed(*family)
 

@@ -92,7 +92,7 @@ class TuningItem(Answer):
 
     id: str
     state: State
-    reason: str | None = Field(description="Why it failed")
+    reason: str | None = Field(description="Why it failed, or does not advance")
     problem: JobProblem | None = Field(description="Where planning it failed: what a dry run would have answered")
     step: Literal["search", "comparison"] = Field(description="What it does, or did last")
     label: str | None

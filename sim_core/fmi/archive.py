@@ -5,7 +5,7 @@ import stat
 import sys
 import zipfile
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from hashlib import sha256
 from io import BytesIO
@@ -16,7 +16,9 @@ from tempfile import TemporaryDirectory, gettempdir
 from sim_core.errors import RefusedError, RidelabError
 from sim_core.fmi.description import Description, read_description
 
+FOLDER = "XDG_CACHE_HOME"  # the variable that names where they are unpacked (freedesktop.org's base directories)
 MOST_FILES, MOST_BYTES = 20_000, 500_000_000  # that an FMU unpacks to
+_NO_PROGRAMS = getattr(os, "ST_NOEXEC", 0)  # of a file system, where there is such a thing
 _SYSTEMS = {"linux": ("linux", ".so"), "win32": ("windows", ".dll"), "darwin": ("darwin", ".dylib")}
 _user: Callable[[], int] = getattr(os, "getuid", int)  # Windows has no numbers of users
 _OLD_NAMES = {
@@ -39,9 +41,10 @@ def unpack(content: bytes) -> tuple[Description, Path, Path]:
             description = read_description(archive.read("modelDescription.xml"))
             library = _library(description, archive.namelist())
             folder = _store() / sha256(content).hexdigest()
-            if not _is_whole(folder, archive):
+            needed = _needed(archive, library)
+            if not _is_whole(folder, needed):
                 with TemporaryDirectory(dir=folder.parent) as beside:
-                    archive.extractall(Path(beside) / "fmu")
+                    archive.extractall(Path(beside) / "fmu", needed)
                     with suppress(OSError):  # there is none
                         folder.rename(Path(beside) / "damaged")
                     with suppress(OSError):  # another process was first
@@ -65,13 +68,17 @@ def _check(archive: zipfile.ZipFile) -> None:
             raise RefusedError("A file in its zip has a path that leads out of it")
 
 
-def _is_whole(folder: Path, archive: zipfile.ZipFile) -> bool:
+def _needed(archive: zipfile.ZipFile, library: str) -> list[zipfile.ZipInfo]:
+    """Return what a run reads: the description, the resources, and the binaries of this machine."""
+    places = ("modelDescription.xml", "resources/", f"{library.rpartition('/')[0]}/")
+    return [entry for entry in archive.infolist() if entry.filename.startswith(places)]
+
+
+def _is_whole(folder: Path, entries: Sequence[zipfile.ZipInfo]) -> bool:
     """Check whether all files are there as they were packed; code that the disk changed would compute other numbers."""
     try:
         return all(
-            zlib.crc32((folder / entry.filename).read_bytes()) == entry.CRC
-            for entry in archive.infolist()
-            if not entry.is_dir()
+            zlib.crc32((folder / entry.filename).read_bytes()) == entry.CRC for entry in entries if not entry.is_dir()
         )
     except OSError:
         return False
@@ -91,13 +98,15 @@ def _library(description: Description, names: list[str]) -> str:
 
 
 def _store() -> Path:
-    """Return where FMUs are unpacked, each once: a folder that nobody else may write to.
+    """Return where FMUs are unpacked, each once: a folder that nobody else may write to, and whose programs may run.
 
     Raises:
         RidelabError: There is no such folder.
     """
-    path = Path(gettempdir()) / f"ridelab-fmu-{_user()}"
-    path.mkdir(mode=0o700, exist_ok=True)
+    path = Path(os.environ.get(FOLDER) or gettempdir()) / f"ridelab-fmu-{_user()}"
+    path.mkdir(mode=0o700, parents=True, exist_ok=True)
+    if _NO_PROGRAMS and os.statvfs(path).f_flag & _NO_PROGRAMS:
+        raise RidelabError(f"Nothing in the folder {path} may be run (noexec): name another one in {FOLDER}")
     status = path.lstat()
     shared = os.name == "posix" and (status.st_uid != _user() or stat.S_IMODE(status.st_mode) & 0o022)
     if shared or not stat.S_ISDIR(status.st_mode):

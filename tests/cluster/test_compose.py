@@ -102,13 +102,14 @@ def test_every_setting_and_every_limit_of_the_proxy_comes_from_env() -> None:
     """But for where things are in this file's own topology."""
     api = SERVICES["api"]
     assert {"path": ".env", "required": False} in api["env_file"], "what no line below sets"
-    fixed = {name for name, value in api["environment"].items() if value and f"${{{name}:-" not in value}
-    topology = {"RIDELAB_DATABASE_URL", "RIDELAB_DATABASE_PASSWORD_FILE", "RIDELAB_FORWARDED_ALLOW_IPS"}
-    assert {name for name in fixed if "DASK" not in name} == topology
+    ours = {name: value for name, value in api["environment"].items() if name.startswith("RIDELAB_") and value}
+    fixed = {name for name, value in ours.items() if f"${{{name}:-" not in value}
+    places = {"CONTROLLERS", "DATABASE_PASSWORD_FILE", "DATABASE_URL", "FORWARDED_ALLOW_IPS"}
+    assert {name.removeprefix("RIDELAB_") for name in fixed if "DASK" not in name} == places
     read = re.findall(r"\$\{?(PROXY_\w+)", (ROOT / "backend/deploy/haproxy.cfg").read_text())
-    places = {"PROXY_BIND", "PROXY_TLS_BIND", "PROXY_CERTIFICATE"}
+    of_the_proxy = {"PROXY_BIND", "PROXY_TLS_BIND", "PROXY_CERTIFICATE"}
     variables = {name for name, _ in VARIABLE.findall((ROOT / "docker-compose.yml").read_text())}
-    assert set(read) - places <= variables
+    assert set(read) - of_the_proxy <= variables
 
 
 def test_the_proxy_waits_longer_than_the_service_and_holds_its_longest_body() -> None:

@@ -246,6 +246,29 @@ def test_what_is_not_a_chunks_fault_is_tried_until_it_works(tmp_path: Path) -> N
     assert {row.status for row in drive(tmp_path, reluctant)} == {"ok"}
 
 
+@pytest.mark.parametrize("reason", ["too little memory", scheduler.NO_WORKERS])
+def test_a_batch_that_does_not_advance_says_why_until_it_does(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, reason: str
+) -> None:
+    monkeypatch.setattr(scheduler, "STALLED", 0.05)
+
+    def told() -> bool:
+        with contextlib.closing(sqlite3.connect(tmp_path / "ridelab.sqlite")) as stored:
+            return (reason,) in stored.execute("SELECT reason FROM jobs").fetchall()
+
+    async def capacity(_: Misbehaving) -> int:
+        return 0 if reason == scheduler.NO_WORKERS and not told() else 2
+
+    monkeypatch.setattr(Misbehaving, "capacity", capacity)
+
+    def reluctant(chunk: Chunk) -> ChunkOutcome:
+        return answered(chunk) if told() else ChunkOutcome(error="version_mismatch", detail="too little memory")
+
+    assert {row.status for row in drive(tmp_path, reluctant)} == {"ok"}
+    with contextlib.closing(sqlite3.connect(tmp_path / "ridelab.sqlite")) as stored:
+        assert stored.execute("SELECT state, reason FROM jobs").fetchall() == [("done", None)]
+
+
 def test_a_cluster_that_goes_away_is_started_again_and_only_what_is_missing_runs_again(tmp_path: Path) -> None:
     broke: set[int] = set()
 

@@ -89,6 +89,8 @@ class Topology(Ends):
         here = {f"/run/secrets/{name}": str(self.folder / item["file"]) for name, item in COMPOSE["secrets"].items()}
         here |= {
             "/app/": f"{ROOT}/",
+            "/controllers": f"{self.folder}/controllers",
+            "/fmu": f"{self.folder}/fmu",
             "/tmp/": f"{self.folder}/",  # noqa: S108 - a container's
             "scheduler:8786": f"127.0.0.1:{self._scheduler_port}",
             "--port=8786": f"--port={self._scheduler_port}",

@@ -1,5 +1,6 @@
 """FMUs as controllers: each drives like the same law in Python, and what is wrong with one is told in words."""
 
+import os
 import zipfile
 from pathlib import Path
 from typing import Any
@@ -135,6 +136,29 @@ def test_another_sample_time_than_its_own_is_told(exported: Path) -> None:
     with pytest.raises(RidelabError, match=r"for control steps of 0\.01 s, the scenario has 0.005 s") as caught:
         simulate(faster, load_controllers(exported)["theirs"])
     assert caught.value.field == "mpc.sample_time"
+
+
+def test_one_is_unpacked_where_the_operator_says_and_only_what_a_run_reads(
+    exported: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv(archive.FOLDER, str(tmp_path / "fmus"))
+    monkeypatch.setattr(archive, "_NO_PROGRAMS", 0)
+    file = tmp_path / "large.fmu"
+    file.write_bytes(exported.read_bytes())
+    with zipfile.ZipFile(file, "a") as packed:
+        packed.writestr("binaries/win64/library.dll", bytes(100))
+        packed.writestr("resources/table.csv", "1")
+    _, folder, library = archive.unpack(file.read_bytes())
+    assert {path.relative_to(folder).parts[0] for path in folder.rglob("*")} == {
+        "modelDescription.xml",
+        "binaries",
+        "resources",
+    }
+    assert [path.name for path in (folder / "binaries").iterdir()] == ["linux64"]
+    assert library.is_file()
+    monkeypatch.setattr(archive, "_NO_PROGRAMS", os.statvfs(tmp_path).f_flag | 1)
+    with pytest.raises(RidelabError, match=r"may be run \(noexec\): name another one in XDG_CACHE_HOME"):
+        archive.unpack(file.read_bytes())
 
 
 CHANGED = {
