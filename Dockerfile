@@ -35,8 +35,8 @@ USER 999:999
 # The core's library, and the programs of FMUs for every platform. The compiler stays here.
 FROM python:3.11-slim AS compiled
 WORKDIR /build
-COPY requirements-ecu.lock ./
-RUN python -m pip install --no-cache-dir --disable-pip-version-check --require-hashes -r requirements-ecu.lock
+COPY requirements-compiler.lock ./
+RUN python -m pip install --no-cache-dir --disable-pip-version-check --require-hashes -r requirements-compiler.lock
 COPY sim_core/kernel/ sim_core/kernel/
 COPY sim_core/ecu/source/ sim_core/ecu/source/
 RUN python sim_core/kernel/build.py .
@@ -47,10 +47,10 @@ RUN python backend/fmu/programs.py all
 FROM python:3.11-slim AS program
 WORKDIR /build
 RUN python -m venv --without-pip /opt/ridelab
-COPY requirements-cluster.lock requirements-ecu.lock ./
+COPY requirements-cluster.lock ./
 RUN python -m pip --python /opt/ridelab/bin/python install --no-cache-dir --disable-pip-version-check --require-hashes \
-    -r requirements-cluster.lock -r requirements-ecu.lock \
-    && find /opt/ridelab -depth \( -type d \( -name tests -o -name test \) -o -name '*.a' \) -not -path '*/ziglang/*' -exec rm -r {} +
+    -r requirements-cluster.lock \
+    && find /opt/ridelab -depth \( -type d \( -name tests -o -name test \) -o -name '*.a' \) -exec rm -r {} +
 
 # Whatever umask the checkout has, everybody may read it.
 WORKDIR /app
@@ -63,9 +63,6 @@ COPY --from=frontend /build/dist frontend/dist/
 COPY --from=manual /build/build/manual build/manual/
 # Bytecode now: the file system is read-only later.
 RUN /opt/ridelab/bin/python -m compileall -q sim_core backend ridelab
-# The ECU's program as a process, which counts its operations: /app is read-only later, and /tmp runs no programs.
-RUN mkdir ecu && RIDELAB_ECU_DIR=/app/ecu /opt/ridelab/bin/python -c "from backend.ecu import build; build.program()" \
-    && rm -rf ecu/zig
 RUN chmod -R a+rX .
 
 FROM python:3.11-slim
@@ -74,7 +71,7 @@ COPY --from=program /app /app
 WORKDIR /app
 # /data belongs to the user, and so does a new volume mounted there.
 RUN mkdir /data && chown 10001:10001 /data
-ENV PATH=/opt/ridelab/bin:$PATH PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 RIDELAB_DATA_DIR=/data RIDELAB_ECU_DIR=/app/ecu
+ENV PATH=/opt/ridelab/bin:$PATH PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 RIDELAB_DATA_DIR=/data
 # As for a service on loopback, which `docker run -p 127.0.0.1:8000:8000` makes of this one; docker-compose.yml has its own.
 ENV RIDELAB_ALLOWED_HOSTS=localhost,*.localhost,127.0.0.1,::1
 USER 10001:10001

@@ -100,7 +100,7 @@ development: setup $(VENV)/.development frontend/node_modules/.development ## an
 binaries: development ## the programs of FMUs for every platform, by the compiler that the wheels are made with; `make setup` has made this machine's
 	$(BIN)/python backend/fmu/programs.py all
 
-compiler: $(VENV)/.ecu ## a C compiler (400 MB), for the ECU's own processor, and where the machine has none
+compiler: $(VENV)/.compiler ## a C compiler (400 MB) where the machine has none, and for other platforms and the ECU's processor
 
 $(VENV)/.build: requirements-build.lock
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Ridelab needs Python 3.11 or newer; name one with PYTHON=python3.x")'
@@ -118,7 +118,7 @@ $(VENV)/.development: requirements-dev.lock $(VENV)/.runtime
 	$(INSTALL) $<
 	touch $@
 
-$(VENV)/.ecu: requirements-ecu.lock $(VENV)/.build
+$(VENV)/.compiler: requirements-compiler.lock $(VENV)/.build
 	$(INSTALL) $<
 	touch $@
 
@@ -133,7 +133,7 @@ $(KERNEL): $(wildcard sim_core/kernel/*.[ch] sim_core/ecu/source/*.[ch]) sim_cor
 	-@if command -v cc || command -v gcc || command -v clang; then $(PYTHON) sim_core/kernel/build.py $(@D); fi
 
 $(BIN)/ridelab: pyproject.toml setup.py client/pyproject.toml sim_core/pyproject.toml sim_core/setup.py $(KERNEL) $(VENV)/.runtime  # the three distributions, from their folders
-	@command -v cc || command -v gcc || command -v clang || $(MAKE) $(VENV)/.ecu
+	@command -v cc || command -v gcc || command -v clang || $(MAKE) $(VENV)/.compiler
 	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index -e sim_core -e client -e .
 	touch $@
 
@@ -169,9 +169,9 @@ lock: ## new lock files, without download addresses
 	$(COMPILE_LOCK) --extra cluster pyproject.toml -o requirements-cluster.lock
 	$(COMPILE_LOCK) --group build -o requirements-build.lock
 	$(COMPILE_LOCK) --group manual -o requirements-manual.lock
-	$(COMPILE_LOCK) --group ecu -o requirements-ecu.lock
+	$(COMPILE_LOCK) --group compiler -o requirements-compiler.lock
 	$(COMPILE_LOCK) --group clients -o requirements-clients.lock
-	$(COMPILE_LOCK) --extra parquet --extra cluster --extra ecu --group dev --group build --group manual pyproject.toml -o requirements-dev.lock
+	$(COMPILE_LOCK) --extra parquet --extra cluster --group dev --group compiler --group build --group manual pyproject.toml -o requirements-dev.lock
 
 pin: ## base images by digest, in the Dockerfile; needs docker and its registry
 	backend/deploy/pin_images.sh

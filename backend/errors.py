@@ -2,8 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 
-from sim_core.errors import RidelabError
-
 # What a refused run's sender can do; the solver first, since it changes most.
 CHEAPER_RUN = "the solver daqp, a shorter road, a higher speed, a longer sample time or shorter horizons cost less"
 TIME_LIMIT = f"The computation took longer than the limit and was ended; fewer roads, {CHEAPER_RUN}."
@@ -185,7 +183,3 @@ class WorkersBusyError(TemporaryError):
 
     def __init__(self) -> None:
         super().__init__("No worker came free in time.")
-
-
-class EcuUnavailableError(RidelabError):
-    """The ECU's program cannot be built or driven apart from this process, here and now."""

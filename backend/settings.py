@@ -44,6 +44,7 @@ REMOVED = frozenset(
         "MAX_WAIT",
         "BODY_TIMEOUT",
         "HEAD_TIMEOUT",
+        "ECU_DIR",
     ]
 )
 _PACKAGE = Path(__file__).parent
@@ -90,7 +91,6 @@ class Settings(BaseModel):
         retention_bytes: The oldest jobs and results are removed where all take more than this [bytes].
         spool_bytes: Answers too long for memory, in files in data_dir until they are read [bytes]; then 429 or 503.
         series_cache_bytes: Memory for results and their time histories.
-        ecu_dir: Where the ECU's program is built and kept; without one below the system's temporary folder.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -119,7 +119,6 @@ class Settings(BaseModel):
     retention_bytes: int | None = Field(None, ge=MEBIBYTE)
     spool_bytes: int = Field(4096 * MEBIBYTE, ge=64 * MEBIBYTE)
     series_cache_bytes: int = Field(256 * MEBIBYTE, ge=0)
-    ecu_dir: NewFolder | None = None
 
     @classmethod
     def from_environment(cls, environment: Mapping[str, str], **overrides: object) -> Self:

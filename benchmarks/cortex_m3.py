@@ -12,7 +12,7 @@ from typing import Any
 import unicorn
 from unicorn import arm_const
 
-from backend.ecu.firmware import FLASH, RAM, Image
+from benchmarks.firmware import FLASH, RAM, Image
 
 WAIT_STATES = 2
 _SIZE = 16 * 1024 * 1024

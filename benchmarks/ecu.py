@@ -5,17 +5,17 @@ holds it.
 """
 
 import struct
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import nullcontext
 
 import numpy as np
 
-from backend.ecu import effort, firmware
-from backend.ecu.link import ProcessEcu, connected
+from backend.ecu import effort
+from benchmarks import firmware
 from benchmarks.cortex_m3 import CortexM3, Spent
 from sim_core import Mpc, Scenario, simulate
-from sim_core.ecu.calibration import Calibration, Checked
+from sim_core.ecu.calibration import Checked
 from sim_core.ecu.interface import Ecu, Frame, Reply
+from sim_core.ecu.program import CompiledEcu
 from sim_core.strategies.calibration import ecu_calibration
 from sim_core.strategies.lv_hil import LvHil
 
@@ -29,20 +29,14 @@ class RecordedDrive(Ecu):
     def __init__(self, scenario: Scenario, checked: Checked = "all") -> None:
         self.steps: list[tuple[Frame, Reply, int]] = []
         self.calibration = ecu_calibration(scenario, checked)
-        self._program: ProcessEcu | None = None
-        simulate(scenario, LvHil(connect=self._connect, checked=checked))
+        self._program = CompiledEcu(self.calibration)
+        simulate(scenario, LvHil(connect=lambda _: nullcontext(self), checked=checked))
         self.by_operations = sorted(range(1, len(self.steps)), key=lambda k: self.steps[k][2])
-
-    @contextmanager
-    def _connect(self, calibration: Calibration) -> Iterator[Ecu]:
-        with connected(calibration) as self._program:
-            yield self
 
     def exchange(self, frame: Frame) -> Reply:
         """Answer a frame as the program does."""
-        assert self._program is not None  # noqa: S101  # entered before it is asked
         reply = self._program.exchange(frame)
-        self.steps.append((frame, reply, self._program.operations[-1]))
+        self.steps.append((frame, reply, reply.operations))
         return reply
 
     def emulated(self, machine: CortexM3, k: int) -> tuple[Spent, tuple[int, int]]:
@@ -50,7 +44,8 @@ class RecordedDrive(Ecu):
         frame = self.steps[k][0]
         before = np.array(self.steps[k - 1][1].commands if k else (0, 0)) * self.calibration.command_step
         machine.write("controller", machine.read("controller", 4) + struct.pack("<2f", *before))
-        machine.write("ridelab_firmware_input", struct.pack("<i", frame.stage) + frame.codes.astype("<i4").tobytes())
+        machine.write("ridelab_firmware_input", struct.pack("<i", frame.stage))
+        machine.write("ridelab_codes", frame.codes.astype("<i4").tobytes())
         spent = machine.call("ridelab_firmware_step")
         front, rear = struct.unpack("<2i", machine.read("ridelab_firmware_output", 8))
         return spent, (front, rear)
@@ -63,7 +58,9 @@ def main() -> None:
     for prediction, control, checked in SIZES:
         mpc = Mpc(prediction_horizon=prediction, control_horizon=control, force_limit=1500, deflection_limit=0.03)
         drive = RecordedDrive(Scenario(mpc=mpc), checked)
-        machine = CortexM3(firmware.image(drive.calibration))
+        image = firmware.image(drive.calibration)
+        print(f"flash {image.flash}, RAM {image.ram} bytes; computed: {effort.memory(drive.calibration)}")
+        machine = CortexM3(image)
         machine.call("ridelab_firmware_start")
         for k in (drive.by_operations[0], *(drive.by_operations[rank] for rank in RANKS)):
             _, reply, operations = drive.steps[k]

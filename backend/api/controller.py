@@ -33,15 +33,15 @@ async def export_controller(body: models.ControllerRequest, request: ApiRequest)
     return Response(content, headers=headers, media_type="application/zip")
 
 
-@compilers.get("/controller/compilers", operation_id="getCompilers", response_model=models.Compilers)
-async def get_compilers(request: ApiRequest) -> Response:
-    """Whether the ECU's program can be built here, known before a report is asked for."""
-    return json_answer(request.services.controllers.compilers())
+@compilers.get("/controller/compilers", operation_id="getCompilers", response_model=models.Compilers, deprecated=True)
+async def get_compilers() -> Response:
+    """What a report lacks here: nothing, since it needs no compiler any more."""
+    return json_answer(models.Compilers(report=None))
 
 
 @controller.post("/controller/report", operation_id="reportController", response_model=models.ControllerReport)
 async def report_controller(body: models.ControllerRequest, request: ApiRequest) -> Response:
-    """Whether it fits an STM32F103, and which smaller controllers do; takes about ten seconds, one at a time."""
+    """Whether it fits an STM32F103, and which smaller controllers do; takes some seconds, one at a time."""
     return json_answer(await request.services.controllers.report(body.scenario, request.client_id))
 
 

@@ -1,11 +1,16 @@
-"""The cost of one call of the controller on a Cortex-M3 without floating-point hardware.
+"""What the controller takes of a Cortex-M3 without floating-point hardware: memory, and the time of one call.
 
-The program counts its operations itself (sim_core/ecu/source/ridelab_count.h). What one costs was measured by running
-the compiled controller in an emulator that counts cycles as the processor's manual does: `make ecu` prints it again, a
-test holds the factor to it.
+The compiled program is the same for every scenario: its tables and the memory that it works in are data beside it. So
+its size is measured once, and so is what an operation costs, by running the program in an emulator that counts cycles
+as the processor's manual does; the program counts its operations itself (sim_core/ecu/source/ridelab_count.h). Tests
+hold memory to a real compilation and the cycles to the emulator; `make ecu` prints both again.
 """
 
+from dataclasses import dataclass
+
+from backend.ecu import tables
 from backend.ecu.models import ControllerPart
+from sim_core.ecu.calibration import Calibration
 
 STM32F103 = ControllerPart(
     name="STM32F103xE: Cortex-M3, 72 MHz, no floating-point hardware",
@@ -16,8 +21,34 @@ STM32F103 = ControllerPart(
 )
 CYCLES_PER_OPERATION = 206.0  # multiplication and addition in software, with the table's read and two wait states
 SPREAD = 0.17  # of the emulated cycles around that
+CODE = 10_072  # with the compiler's arithmetic, by clang for thumbv7m with -O2 [bytes]
+_OWN_CONSTANTS, _OWN_VARIABLES = 120, 84  # beside tables and working memory [bytes]
+_NUMBER = 4  # of float32 and int32, and of a limit that binds [bytes]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Memory:
+    """Memory that a controller takes without its stack [bytes]: code and constants are flash, variables RAM."""
+
+    code: int
+    constants: int
+    variables: int
+
+
+def memory(calibration: Calibration) -> Memory:
+    """Return the memory of a controller with these tables."""
+    fields = calibration.input_steps, calibration.A, calibration.B, calibration.E, calibration.bounds
+    numbers = sum(field.size for field in fields)
+    numbers += sum(stage.rows.size + stage.gram.size for stage in calibration.stages)
+    aligned_axles = -(-calibration.row_count // _NUMBER) * _NUMBER
+    working = tables.code_count(calibration) + calibration.most_active + tables.work_count(calibration)
+    return Memory(
+        code=CODE,
+        constants=_OWN_CONSTANTS + _NUMBER * numbers + aligned_axles,
+        variables=_OWN_VARIABLES + _NUMBER * working,
+    )
 
 
 def seconds(operations: float, part: ControllerPart = STM32F103) -> float:
-    """Time of so many operations [s]."""
+    """Return the time of so many operations [s]."""
     return operations * CYCLES_PER_OPERATION / part.clock

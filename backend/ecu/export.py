@@ -20,7 +20,7 @@ CONTROLLER = (
     "ridelab_dual.h",
     "ridelab_dual.c",
 )
-HOST = ("host/ridelab_prepare.h", "host/ridelab_compiled.c", "host/ridelab_main.c")
+HOST = ("host/ridelab_main.c",)
 TARGET = ("target/ridelab_firmware.c", "target/stm32f103.ld")
 FOLDER = "ridelab-controller"
 _OLDEST = (1980, 1, 1, 0, 0, 0)  # the only time a zip can have that says nothing
@@ -29,7 +29,6 @@ _OLDEST = (1980, 1, 1, 0, 0, 0)  # the only time a zip can have that says nothin
 def generated(calibration: Calibration) -> dict[str, str]:
     """Name -> text of the files that hold the scenario's numbers."""
     return {
-        "ridelab_sizes.h": tables.sizes_header(calibration),
         "ridelab_calibration.h": tables.calibration_header(calibration),
         "ridelab_tables.c": tables.tables_source(calibration),
     }

@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from backend.ecu import build, tables
-from backend.ecu.build import EcuError
+from backend.command_error import CommandError
+from backend.ecu import tables
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import PREVIEW
 from sim_core.ecu.interface import Ecu, Frame, Reply
@@ -28,23 +28,24 @@ _HELLO = struct.Struct("<8sI")
 _ANSWER = struct.Struct("<IiiiIfI")
 
 
+class EcuError(CommandError):
+    """The ECU's program does not start, is another one or does not work."""
+
+
 class ProcessEcu(Ecu):
-    """An ECU at the other end of a socket; `operations` has how many each answer took, as the program counted them."""
+    """An ECU at the other end of a socket."""
 
     def __init__(self, connection: socket.socket, calibration: Calibration) -> None:
         self._connection = connection
         self._answers = connection.makefile("rb")
         self._length = STATES + len(PREVIEW) * calibration.preview_length
-        self.operations: list[int] = []
 
-    def greet(self, loaded: bytes, fingerprint: int) -> None:
-        """Send the tables to load, none where they are compiled in, and check what the program says of its own.
+    def greet(self, fingerprint: int) -> None:
+        """Check whose tables the program says it has.
 
         Raises:
             EcuError: It has another scenario's tables, or is no such program.
         """
-        with suppress(OSError):  # a program that has ended is noticed below
-            self._connection.sendall(loaded)
         greeting, theirs = self._receive(_HELLO)
         if greeting != GREETING:
             raise EcuError("That is not an ECU's program of Ridelab")
@@ -64,13 +65,13 @@ class ProcessEcu(Ecu):
         step, front, rear, flags, iterations, slack, operations = self._receive(_ANSWER)
         if step != frame.step or flags < 0 or not np.isfinite(slack):
             raise EcuError("The ECU's program answered what nobody asked")
-        self.operations.append(operations)
         return Reply(
             commands=(front, rear),
             limited=bool(flags & LIMITED),
             iterations=iterations,
             unfinished=bool(flags & UNFINISHED),
             slack=slack,
+            operations=operations,
         )
 
     def _receive(self, layout: struct.Struct) -> tuple[Any, ...]:
@@ -86,32 +87,29 @@ class ProcessEcu(Ecu):
 
 
 @contextmanager
-def connected(
-    calibration: Calibration, program: Path | None = None, *, patience: float = PATIENCE
-) -> Iterator[ProcessEcu]:
+def connected(calibration: Calibration, program: Path, *, patience: float = PATIENCE) -> Iterator[ProcessEcu]:
     """Start a process of the ECU's program, ready for the first frame; it is ended afterwards.
 
     Args:
         calibration: Its tables.
-        program: One that has these tables compiled in; without one Ridelab's, which loads them.
+        program: Its file, built from exported sources with these tables.
         patience: It has so long for an answer [s].
 
     Raises:
-        EcuError: It cannot be built, does not start, or is not ours.
+        EcuError: It does not start, or is not ours.
     """
-    path, loaded = (build.program(), tables.loaded(calibration)) if program is None else (program, b"")
     ours, theirs = socket.socketpair()
     with ours:
         with theirs:
             end = theirs.fileno()
             try:
-                process = subprocess.Popen([path], stdin=end, stdout=end, stderr=subprocess.DEVNULL)  # noqa: S603  # our own program, no shell
+                process = subprocess.Popen([program], stdin=end, stdout=end, stderr=subprocess.DEVNULL)  # noqa: S603  # our own program, no shell
             except OSError as error:
                 raise EcuError(f"The ECU's program does not start ({error.strerror})") from None
         try:
             ours.settimeout(patience)
             ecu = ProcessEcu(ours, calibration)
-            ecu.greet(loaded, tables.fingerprint(calibration))
+            ecu.greet(tables.fingerprint(calibration))
             yield ecu
         finally:
             with suppress(OSError):

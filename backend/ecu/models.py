@@ -42,7 +42,7 @@ ChangesByWindow = dict[str, dict[str, float | None]]
 
 
 class ControllerRow(Answer):
-    """One controller, built for the part and driven over the scenario."""
+    """One controller, measured for the part and driven over the scenario."""
 
     prediction_horizon: int
     control_horizon: int
@@ -76,6 +76,6 @@ class ControllerReport(Answer):
 
 
 class Compilers(Answer):
-    """The reason why the ECU's program cannot be built here, and the remedy; null where nothing is missing."""
+    """What a report needs that is not there: nothing any more, since nothing is compiled for one."""
 
-    report: str | None = Field(description="For the report, which needs one for the part's processor")
+    report: str | None = Field(description="Always null")

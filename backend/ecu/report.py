@@ -1,21 +1,18 @@
-"""Whether the controller fits the part: memory from the linked program, time from operations counted in the drive."""
+"""Whether the controller fits the part: memory by its tables' sizes, time by the operations counted in the drive."""
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import nullcontext
 from dataclasses import dataclass
 
 from backend.cost import affordable
 from backend.cost.estimate import check_affordable
-from backend.ecu import effort, firmware
-from backend.ecu.build import EcuError
-from backend.ecu.effort import STM32F103
-from backend.ecu.link import connected
+from backend.ecu import effort
+from backend.ecu.effort import STM32F103, Memory
 from backend.ecu.models import ChangesByWindow, ControllerPart, ControllerReport, ControllerRow, Operations, StepTime
-from backend.errors import EcuUnavailableError
 from sim_core import Scenario, StrategyResult, simulate
 from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
 from sim_core.ecu.calibration import Calibration, Checked
-from sim_core.ecu.interface import Ecu
+from sim_core.ecu.interface import Ecu, Frame, Reply
+from sim_core.ecu.program import CompiledEcu
 from sim_core.strategies.calibration import ecu_calibration
 from sim_core.strategies.lv_hil import LvHil
 
@@ -58,7 +55,6 @@ def report(scenario: Scenario) -> ControllerReport:
     """Report on the scenario's own controller and on smaller ones.
 
     Raises:
-        EcuUnavailableError: A program cannot be built, or fails.
         RidelabError: As `simulate` raises.
     """
     part, rows, seen = STM32F103, [], set()
@@ -68,10 +64,7 @@ def report(scenario: Scenario) -> ControllerReport:
         key = (changed.mpc.prediction_horizon, changed.mpc.control_horizon, changed.hil.iterations, variant.checked)
         if key not in seen:
             seen.add(key)
-            try:
-                rows.append(_row(changed, variant.checked, part, simulated))
-            except EcuError as error:
-                raise EcuUnavailableError(str(error)) from None
+            rows.append(_row(changed, variant.checked, part, simulated))
     return ControllerReport(
         part=part,
         sample_time=scenario.mpc.sample_time,
@@ -81,31 +74,37 @@ def report(scenario: Scenario) -> ControllerReport:
     )
 
 
+class CountingEcu(Ecu):
+    """The program in this process; `operations` has how many each answer took."""
+
+    def __init__(self, calibration: Calibration) -> None:
+        self._program = CompiledEcu(calibration)
+        self.operations: list[int] = []
+
+    def exchange(self, frame: Frame) -> Reply:
+        """Answer a frame."""
+        reply = self._program.exchange(frame)
+        self.operations.append(reply.operations)
+        return reply
+
+
 def _row(scenario: Scenario, checked: Checked, part: ControllerPart, simulated: StrategyResult) -> ControllerRow:
     calibration = ecu_calibration(scenario, checked)
-    linked = firmware.image(calibration)
-    operations: list[int] = []
-
-    @contextmanager
-    def counted(wanted: Calibration) -> Iterator[Ecu]:
-        with connected(wanted) as link:
-            yield link
-            operations.extend(link.operations)
-
+    memory, ecu = effort.memory(calibration), CountingEcu(calibration)
     check_affordable(scenario, "lv_hil")
-    result = simulate(scenario, LvHil(connect=counted, checked=checked))
-    least, most = effort.seconds(min(operations)), effort.seconds(max(operations))
-    reasons = _reasons(linked, most, scenario.mpc.sample_time, part)
+    result = simulate(scenario, LvHil(connect=lambda _: nullcontext(ecu), checked=checked))
+    least, most = (effort.seconds(count) for count in (min(ecu.operations), max(ecu.operations)))
+    reasons = _reasons(memory, most, scenario.mpc.sample_time, part)
     return ControllerRow(
         prediction_horizon=calibration.intervals,
         control_horizon=calibration.moves,
         checked=checked,
         checked_rows=calibration.row_count,
         iterations=calibration.iterations,
-        code=linked.sections.get(".text", 0),
-        constants=linked.sections.get(".rodata", 0),
-        variables=linked.ram,
-        operations=Operations(least=min(operations), most=max(operations)),
+        code=memory.code,
+        constants=memory.constants,
+        variables=memory.variables,
+        operations=Operations(least=min(ecu.operations), most=max(ecu.operations)),
         time=StepTime(least=least, most=most),
         most_iterations=result.events["ecu_most_iterations"],
         unfinished=result.events["qp_failures"],
@@ -115,14 +114,13 @@ def _row(scenario: Scenario, checked: Checked, part: ControllerPart, simulated: 
     )
 
 
-def _reasons(linked: firmware.Image, most: float, sample_time: float, part: ControllerPart) -> list[str]:
+def _reasons(memory: Memory, most: float, sample_time: float, part: ControllerPart) -> list[str]:
     """Return why it does not fit; empty where it does."""
-    reasons = []
-    if linked.flash > part.flash:
-        reasons.append(f"code and constants take {linked.flash / 1024:.0f} KB of {part.flash / 1024:.0f} KB flash")
-    if linked.ram + part.stack > part.ram:
-        needed = (linked.ram + part.stack) / 1024
-        reasons.append(f"variables and stack take {needed:.0f} KB of {part.ram / 1024:.0f} KB RAM")
+    reasons, flash, ram = [], memory.code + memory.constants, memory.variables + part.stack
+    if flash > part.flash:
+        reasons.append(f"code and constants take {flash / 1024:.0f} KB of {part.flash / 1024:.0f} KB flash")
+    if ram > part.ram:
+        reasons.append(f"variables and stack take {ram / 1024:.0f} KB of {part.ram / 1024:.0f} KB RAM")
     if most > sample_time:
         reasons.append(f"the longest step takes about {1000 * most:.3g} ms of {1000 * sample_time:.3g} ms")
     return reasons

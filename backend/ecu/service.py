@@ -7,14 +7,12 @@ from cachetools import LRUCache
 from backend.compute.workers import Workers
 from backend.cost.estimate import estimate
 from backend.ecu import export, report
-from backend.ecu.build import firmware_fault, program_fault
-from backend.ecu.models import Compilers, ControllerReport
+from backend.ecu.models import ControllerReport
 from backend.gate import Gate
 from backend.roads.service import MeasuredRoads
 from sim_core.scenario import Scenario
 
 STRATEGY = "lv_hil"
-BUILDING = 1.0  # one controller for its part [s of one core]
 CACHED_REPORTS = 16
 
 
@@ -26,11 +24,6 @@ class Controllers:
     gate: Gate
     roads: MeasuredRoads
     _reports: LRUCache[str, ControllerReport] = field(init=False, default_factory=lambda: LRUCache(CACHED_REPORTS))
-
-    @staticmethod
-    def compilers() -> Compilers:
-        """Say what is missing on this machine to build the ECU's program."""
-        return Compilers(report=firmware_fault() or program_fault())
 
     async def archive(self, scenario: Scenario, client: str) -> bytes:
         """A zip of C sources.
@@ -55,7 +48,7 @@ class Controllers:
         key = scenario.model_dump_json()
         scenario = await self.roads.on(scenario)
         if key not in self._reports:
-            cost = len(report.VARIANTS) * (BUILDING + estimate(scenario, STRATEGY))
+            cost = len(report.VARIANTS) * estimate(scenario, STRATEGY)
             self.gate.check_cost(cost)
             with self.gate.computing(client, cost):
                 self._reports[key] = await self.workers.call(report.report, scenario, client=client, cost=cost)

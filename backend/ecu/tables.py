@@ -1,4 +1,4 @@
-"""The controller's numbers for the C program: float32, loaded at its start, or C text to compile in."""
+"""The controller's numbers for the C program, float32: C text to compile in, and their fingerprint."""
 
 import struct
 import zlib
@@ -8,7 +8,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.control.cost import KILO
-from sim_core.ecu.calibration import MOST_ACTIVE, Calibration
+from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import PREVIEW, SENSORS, STAGES, highest_code
 from sim_core.vehicle.half_car import FORCES, STATES
 
@@ -18,12 +18,6 @@ _ACROSS = 6  # numbers a line
 def fingerprint(calibration: Calibration) -> int:
     """The hash of a set of tables: both sides of a connection must have the same."""
     return zlib.crc32(_body(calibration))
-
-
-def loaded(calibration: Calibration) -> bytes:
-    """The bytes that the program reads at its start: fingerprint, sizes, tables."""
-    body = _body(calibration)
-    return struct.pack("<I", zlib.crc32(body)) + body
 
 
 def _body(calibration: Calibration) -> bytes:
@@ -51,27 +45,9 @@ def _single(values: FloatArray) -> bytes:
     return np.ascontiguousarray(values, dtype="<f4").tobytes()
 
 
-def sizes_header(calibration: Calibration) -> str:
-    """`ridelab_sizes.h` of an exported controller: memory for these tables and no more."""
-    return _guarded(
-        "RIDELAB_SIZES_H",
-        "How much memory the controller keeps: what these tables need.",
-        [
-            f"#define RIDELAB_MOST_PREVIEWED {calibration.preview_length}",
-            f"#define RIDELAB_MOST_ROWS {calibration.row_count}",
-            f"#define RIDELAB_MOST_ACTIVE {most_active(calibration)}",
-        ],
-    )
-
-
-def most_active(calibration: Calibration) -> int:
-    """Limits that may bind together: one more than there are unknowns, forces and two slacks, never happens."""
-    return min(MOST_ACTIVE, FORCES * calibration.moves + 3)
-
-
 def calibration_header(calibration: Calibration) -> str:
     """`ridelab_calibration.h`: the tables' name, and the channels with their ranges."""
-    lines = ['#include "ridelab_tables.h"', "", f"#define RIDELAB_FINGERPRINT 0x{fingerprint(calibration):08x}u", ""]
+    lines = ['#include "ridelab_dual.h"', "", f"#define RIDELAB_FINGERPRINT 0x{fingerprint(calibration):08x}u", ""]
     highest = highest_code(calibration.bits)
     lines.append(f"/* Converters of {calibration.bits} bits: codes from -{highest} to the same above zero.")
     for i, channel in enumerate(SENSORS):
@@ -82,6 +58,9 @@ def calibration_header(calibration: Calibration) -> str:
         lines.append(f"   codes {first} to {last}: {channel.label.lower()}, +-{channel.full_scale:g} {channel.unit}")
     lines.append(f"   commands: force front and rear, +-{calibration.command_step * highest * KILO:g} N */")
     lines.append("extern const ridelab_tables ridelab_calibration;")
+    lines += ["", "/* What the controller works in: codes to read, limits that bind, numbers. */"]
+    lines.append(f"#define RIDELAB_CODE_COUNT {code_count(calibration)}")
+    lines += [f"extern {memory};" for memory in _memory(calibration)]
     return _guarded("RIDELAB_CALIBRATION_H", "The tables of one scenario.", lines)
 
 
@@ -108,6 +87,7 @@ def tables_source(calibration: Calibration) -> str:
         "predicts": str(int(calibration.predicts)),
         "iterations": str(calibration.iterations),
         "highest": str(highest_code(calibration.bits)),
+        "active": str(calibration.most_active),
         "command_step": _text(calibration.command_step),
         "slack_price": _text(calibration.slack_price),
         "inverse_slack_weight": _text(calibration.inverse_slack_weight),
@@ -118,7 +98,28 @@ def tables_source(calibration: Calibration) -> str:
     }
     lines.append("const ridelab_tables ridelab_calibration = {")
     lines += [f"    .{name} = {value}," for name, value in fields.items()]
-    return "\n".join([*lines, "};", ""])
+    lines += ["};", "", *(f"{memory};" for memory in _memory(calibration)), ""]
+    return "\n".join(lines)
+
+
+def code_count(calibration: Calibration) -> int:
+    """Return how many codes an input has."""
+    return STATES + len(PREVIEW) * calibration.preview_length
+
+
+def work_count(calibration: Calibration) -> int:
+    """Return how many numbers the controller works in: RIDELAB_WORK of ridelab_controller.h."""
+    columns, active = STATES + FORCES + len(PREVIEW) * calibration.intervals, calibration.most_active
+    return columns + calibration.row_count + active * (active + 3)
+
+
+def _memory(calibration: Calibration) -> list[str]:
+    """Return the declarations of the controller's memory."""
+    return [
+        f"int32_t ridelab_codes[{code_count(calibration)}]",
+        f"ridelab_limit ridelab_limits[{calibration.most_active}]",
+        f"float ridelab_work[{work_count(calibration)}]",
+    ]
 
 
 def _guarded(name: str, purpose: str, lines: Iterable[str]) -> str:

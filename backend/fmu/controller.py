@@ -126,7 +126,8 @@ def _program_model(controller: EcuController, setup: Setup) -> Model:
 
 def _ecu_numbers(calibration: Calibration, setup: Setup) -> FloatArray:
     """Return what source/program.c takes; the tables in single precision."""
-    whole = calibration.intervals, calibration.row_count, calibration.predicts, highest_code(calibration.bits)
+    sizes = calibration.intervals, calibration.row_count, calibration.most_active
+    whole = *sizes, calibration.predicts, highest_code(calibration.bits)
     single = [calibration.command_step, calibration.slack_price, calibration.inverse_slack_weight]
     tables = [calibration.input_steps, calibration.A, calibration.B, calibration.E, calibration.bounds]
     tables += [each for stage in calibration.stages for each in (stage.rows, stage.gram)]

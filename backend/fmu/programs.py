@@ -20,7 +20,7 @@ from typing import NamedTuple
 FOLDER = Path(__file__).resolve().parent
 ROOT = FOLDER.parents[1]
 BINARIES = FOLDER / "binaries"
-_CONTROLLER = ("ridelab_sizes.h", "ridelab_tables.h", "ridelab_count.h", "ridelab_dual.h", "ridelab_controller.h",
+_CONTROLLER = ("ridelab_tables.h", "ridelab_count.h", "ridelab_dual.h", "ridelab_controller.h",
                "ridelab_controller.c", "ridelab_dual.c")  # fmt: skip
 _CAR = ("numbers.h", "qp.h", "loop.h", "record.h", "road.h", "car.c", "record.c", "road.c")
 _SHARED = ("resources.h", "resources.c", "model.h", "instance.h")

@@ -13,7 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from sqlalchemy.exc import SQLAlchemyError
 from starlette.exceptions import HTTPException
 
-from backend.errors import EcuUnavailableError, ServiceError
+from backend.errors import ServiceError
 from backend.http.problem_types import KINDS, OF_STATUS, TYPES
 from backend.http.validation import to_field_error
 from backend.logs import REQUEST_ID
@@ -133,7 +133,6 @@ def register(app: FastAPI) -> None:
     app.add_exception_handler(ServiceError, _service)
     app.add_exception_handler(RidelabError, _refused)
     app.add_exception_handler(TooExpensiveError, _too_expensive)
-    app.add_exception_handler(EcuUnavailableError, _ecu_unavailable)
     app.add_exception_handler(SQLAlchemyError, _store)
 
 
@@ -175,11 +174,6 @@ async def _refused(request: Request, error: Exception) -> Response:
     path = pointer(["scenario", *error.field.split(".")]) if error.field else ""
     errors = _as_sent(request, [{"pointer": path, "message": error.message}])
     return problem("refused", error.message, errors=errors)
-
-
-async def _ecu_unavailable(_: Request, error: Exception) -> Response:
-    # Without Retry-After: somebody has to do what it says, and a client that waited would wait in vain.
-    return problem("ecu-unavailable", f"{cast(EcuUnavailableError, error).message}.")
 
 
 async def _store(_: Request, error: Exception) -> Response:

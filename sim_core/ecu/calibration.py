@@ -77,6 +77,11 @@ class Calibration:
         return len(self.bounds)
 
     @property
+    def most_active(self) -> int:
+        """Limits that may bind together: one more than there are unknowns, forces and two slacks, never happens."""
+        return min(MOST_ACTIVE, FORCES * self.moves + 3)
+
+    @property
     def preview_length(self) -> int:
         """Intervals each frame tells of: one more where the first is spent on predicting."""
         return self.intervals + int(self.predicts)

@@ -28,6 +28,9 @@ class Reply:
         iterations: Of the solver.
         unfinished: The solver stopped before it was done; the forces are clipped.
         slack: Largest predicted deflection beyond the limit [cm].
+        operations: Floating-point operations that it took, a multiplication with its addition being one; 0 where they
+            are not counted.
+            are not counted.
     """
 
     commands: tuple[int, int]
@@ -35,6 +38,7 @@ class Reply:
     iterations: int
     unfinished: bool
     slack: float
+    operations: int = 0
 
 
 class Ecu(ABC):

@@ -10,12 +10,12 @@ from sim_core.ecu.interface import Ecu, Frame, Reply
 from sim_core.kernel.library import INT, Array, Function, require
 from sim_core.vehicle.half_car import FORCES, STATES
 
-_ANSWER = 5  # whole numbers
+_ANSWER = 6  # whole numbers
 _REALS = Array(ndim=1, dtype=np.float32)
 _TABLES = Array(ndim=3, dtype=np.float32)
 _ecu_step = Function(
     "ecu_step",
-    *(Array(6, dtype=np.int32), Array(3, dtype=np.float32), Array(115, dtype=np.float32), _REALS),
+    *(Array(7, dtype=np.int32), Array(3, dtype=np.float32), Array(115, dtype=np.float32), _REALS),
     *(Array(ndim=1, dtype=np.int8), _TABLES, _TABLES),
     *(Array(FORCES, dtype=np.float32, written=True), Array(ndim=1, dtype=np.int32)),
     *(Array(_ANSWER, dtype=np.int32, written=True), Array(1, dtype=np.float32, written=True), INT),
@@ -47,7 +47,7 @@ class CompiledEcu(Ecu):
         real = tables.command_step, tables.slack_price, tables.inverse_slack_weight
         vehicle = [part.ravel() for part in (tables.input_steps, tables.A, tables.B, tables.E)]
         self._step = _ecu_step.bind(  # kernel/ecu.c says what they hold
-            np.array([*sizes, highest_code(tables.bits)], dtype=np.int32),
+            np.array([*sizes, highest_code(tables.bits), tables.most_active], dtype=np.int32),
             np.array(real, dtype=np.float32),
             np.concatenate(vehicle).astype(np.float32),
             tables.bounds.astype(np.float32),
@@ -70,11 +70,12 @@ class CompiledEcu(Ecu):
         require(frame.codes.shape == self._codes.shape, "A frame has as many codes as the tables say")
         self._codes[:] = frame.codes
         require(self._step(frame.stage) == 0, "The ECU's program knows no such tables or stage")
-        front, rear, limited, iterations, unfinished = self._answer.tolist()
+        front, rear, limited, iterations, unfinished, operations = self._answer.tolist()
         return Reply(
             commands=(front, rear),
             limited=bool(limited),
             iterations=iterations,
             unfinished=bool(unfinished),
             slack=float(self._slack[0]),
+            operations=operations,
         )

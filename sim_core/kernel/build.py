@@ -14,9 +14,8 @@ from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
 _ECU = FOLDER.parent / "ecu" / "source"
-_OWN = sorted(FOLDER.glob("*.c"))  # none in a wheel, which has the library alone
-SOURCES = [*_OWN, _ECU / "ridelab_controller.c", _ECU / "ridelab_dual.c"] if _OWN else []
-HEADERS = [*sorted(FOLDER.glob("*.h")), *sorted(_ECU.glob("*.h"))]
+SOURCES = sorted(FOLDER.glob("*.c"))  # with those of the ECU, which they include
+INCLUDED = [*sorted(FOLDER.glob("*.h")), *sorted(_ECU.glob("*.[ch]"))]
 # No compiler's extensions. Without fused operations all compilers give the same numbers.
 FLAGS = ("-std=c11", "-pedantic-errors", "-O3", "-ffp-contract=off")
 NAME = "libridelab.so.1"  # no Python module, so not called like one
@@ -28,7 +27,7 @@ _PROCESSOR = Path("/proc/cpuinfo")
 def digest() -> str:
     """SHA-256 of the sources and flags, in hexadecimal: the library says of which it is."""
     content = hashlib.sha256(repr(FLAGS).encode())
-    for file in (*SOURCES, *HEADERS):
+    for file in (*SOURCES, *INCLUDED):
         content.update(f"\0{file.name}\0".encode() + file.read_bytes())
     return content.hexdigest()
 

@@ -8,15 +8,13 @@
 #include "numbers.h"
 #include "qp.h"
 
-#define RIDELAB_SIZES_H
 #define RIDELAB_REAL double
-#define RIDELAB_MOST_PREVIEWED 1
-#define RIDELAB_MOST_ROWS 1
-#define RIDELAB_MOST_ACTIVE 204
+#define ridelab_dual_init ridelab_dual_init_in_double
 #define ridelab_dual_solve ridelab_dual_solve_in_double
 #define ridelab_dual_slack ridelab_dual_slack_in_double
 #include "../ecu/source/ridelab_dual.c"
 
+enum { MOST_ACTIVE = 204 };                     /* limits that may bind together */
 static const double ALLOWED = 1e-6;             /* violation of an answer */
 static const double CENTIMETRES = 100, NEWTONS = 1000; /* in a metre, in a kN */
 
@@ -43,8 +41,14 @@ struct qp_run {
 };
 
 RIDELAB_NUMBERS_OF(qp_counts)
-RIDELAB_SIZE(dual, sizeof(ridelab_dual))
-RIDELAB_SIZE(moves, RIDELAB_MOST_ACTIVE - 2 * AXLES)
+struct dual_memory {
+    ridelab_dual dual;
+    ridelab_limit limits[MOST_ACTIVE];
+    double work[RIDELAB_DUAL_WORK(MOST_ACTIVE)];
+};
+
+RIDELAB_SIZE(dual, sizeof(struct dual_memory))
+RIDELAB_SIZE(moves, MOST_ACTIVE - 2 * AXLES)
 
 /* The arguments as the structs have them. */
 void ridelab_prepare_qp(struct qp *me, int moves, int travels, int inputs, const double *H, const double *columns,
@@ -61,10 +65,11 @@ void ridelab_prepare_qp(struct qp *me, int moves, int travels, int inputs, const
 }
 
 void ridelab_prepare_qp_run(struct qp_run *me, struct qp_counts *counts, double *f, double *b, double *y,
-                            double *multipliers, double *work, ridelab_dual *dual)
+                            double *multipliers, double *work, struct dual_memory *dual)
 {
     _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a QP is prepared in memory of that size");
-    *me = (struct qp_run){counts, f, b, y, multipliers, work, dual};
+    ridelab_dual_init(&dual->dual, MOST_ACTIVE, dual->limits, dual->work);
+    *me = (struct qp_run){counts, f, b, y, multipliers, work, &dual->dual};
 }
 
 /* NaN, once met, stays. */

@@ -11,7 +11,6 @@ from sqlalchemy.exc import OperationalError
 
 from backend.cost.estimate import estimate
 from backend.errors import (
-    EcuUnavailableError,
     WorkerLostError,
     WorkersBusyError,
     WorkerTimeoutError,
@@ -69,7 +68,6 @@ def test_a_wrong_method_is_405_and_says_which_are_right_without_describing_all_o
         (WorkersBusyError(), 503, "full", True),
         (WorkerTimeoutError(), 422, "too-expensive", False),
         (TooExpensiveError("Too much", fields=("road.length",)), 422, "too-expensive", False),
-        (EcuUnavailableError("No compiler"), 503, "ecu-unavailable", False),
         (RidelabError("Out of reach", field="road.length"), 422, "refused", False),
     ],
     ids=lambda value: type(value).__name__,

@@ -1,4 +1,4 @@
-"""A service on a machine without a C compiler: what builds a program says so, all else works.
+"""A service on a machine without a C compiler does everything: nothing is compiled while it serves.
 
 Nor did hardware in the loop drive the paper's roads there: its eight cells are not counted, the others stand.
 """
@@ -11,7 +11,6 @@ from typing import Any
 import httpx
 import pytest
 
-from backend.ecu.build import NO_CROSS_COMPILER
 from backend.paper import models
 from backend.store import Store
 from tests.client.cli import Cli
@@ -51,27 +50,16 @@ def command(bare: httpx.Client, capfdbinary: pytest.CaptureFixture[bytes], monke
     return Cli(capfdbinary)
 
 
-def test_what_is_missing_is_known_before_anything_is_asked_for(bare: httpx.Client) -> None:
-    missing = bare.get("/api/v1/controller/compilers").raise_for_status().json()
-    assert missing == {"report": NO_CROSS_COMPILER}
-
-
-def test_a_run_needs_none(bare: httpx.Client) -> None:
+def test_runs_the_report_and_fmus_need_none(bare: httpx.Client, command: Cli, tmp_path: Path) -> None:
     run = bare.post("/api/v1/runs", json={"scenario": SCENARIO, "strategies": ["lv_hil", "passive"]}).json()
     assert {name: each["status"] for name, each in run["strategies"].items()} == {"lv_hil": "ok", "passive": "ok"}
-
-
-def test_what_is_measured_is_refused_at_once(bare: httpx.Client, command: Cli, tmp_path: Path) -> None:
-    """Nobody is asked to wait: the client would, and then ask again for nothing."""
-    answer = bare.post("/api/v1/controller/report", json={"scenario": SCENARIO})
-    problem = answer.json()
-    assert (answer.status_code, problem["type"]) == (503, "urn:problem-type:ridelab:ecu-unavailable")
-    assert problem["detail"] == f"{NO_CROSS_COMPILER}."
-    assert "retry-after" not in answer.headers
+    assert bare.get("/api/v1/controller/compilers").raise_for_status().json() == {"report": None}
     scenario = tmp_path / "scenario.json"
     scenario.write_text(json.dumps(SCENARIO))
-    assert not command("controller", scenario, "--report", code=3)
-    assert f"{NO_CROSS_COMPILER}. (request " in command.error
+    assert "STM32F103" in command("controller", scenario, "--report")
+    for kind in (["--vehicle"], ["--strategy", "lv"], ["--strategy", "lqr"]):
+        command("fmu", scenario, *kind, "--platform", "linux64", "--out", tmp_path / "it.fmu")
+        assert command.error == "Binaries for linux64\n"
 
 
 def test_of_the_paper_the_simulated_cells_stand(bare: httpx.Client, command: Cli) -> None:

@@ -30,12 +30,13 @@ LOCKS = {
     "requirements-cluster.lock": [*RUNTIME, *EXTRAS["cluster"]],
     "requirements-build.lock": GROUPS["build"],
     "requirements-manual.lock": GROUPS["manual"],
-    "requirements-ecu.lock": EXTRAS["ecu"],
+    "requirements-compiler.lock": GROUPS["compiler"],
     "requirements-clients.lock": GROUPS["clients"],
     "requirements-dev.lock": [
         *RUNTIME,
         *(each for extra in EXTRAS.values() for each in extra),
         *GROUPS["build"],
+        *GROUPS["compiler"],
         *GROUPS["manual"],
     ],
 }

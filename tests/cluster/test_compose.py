@@ -122,7 +122,7 @@ def test_the_proxy_waits_longer_than_the_service_and_holds_its_longest_body() ->
     assert int(buffer[1]) > MAX_BODY_BYTES + 2 * 16384, "headers, and room for what the proxy writes itself"
 
 
-LOCKS = {"requirements-manual.lock", "requirements-cluster.lock", "requirements-ecu.lock"}
+LOCKS = {"requirements-manual.lock", "requirements-cluster.lock", "requirements-compiler.lock"}
 
 
 def test_the_image_holds_packages_to_their_hashes_and_runs_as_nobody_special(instructions: list[list[str]]) -> None:

@@ -5,7 +5,7 @@ import struct
 import subprocess
 from pathlib import Path
 
-from backend.ecu import build
+from sim_core.kernel.build import default_compiler
 
 SOURCE = Path(__file__).with_name("clock.c")
 
@@ -20,7 +20,7 @@ class Clock:
 
     def __init__(self, folder: Path) -> None:
         library, self._file = folder / "clock.so", folder / "clock"
-        subprocess.run([*build.compilers()[0], "-shared", "-fPIC", "-o", library, SOURCE], check=True)
+        subprocess.run([*default_compiler(), "-shared", "-fPIC", "-o", library, SOURCE], check=True)
         self.environment = {"LD_PRELOAD": str(library), "CLOCK_FILE": str(self._file)}
         self._file.write_bytes(bytes(8))
         self.set(0)

@@ -3,14 +3,12 @@
 import os
 from pathlib import Path
 
-from backend.ecu import build
-
 # As where the package is not installed: in every Python process with this environment.
 WITHOUT_ZIG = 'import sys\n\nsys.modules["ziglang"] = None\n'
 
 
 class Bare:
-    """Environment of a process that finds no compiler: none on PATH, no package `ziglang`, no program built before.
+    """Environment of a process that finds no compiler: none on PATH, no package `ziglang`.
 
     Args:
         folder: Where it puts what that needs.
@@ -26,5 +24,4 @@ class Bare:
         self.environment = {
             "PATH": str(programs),
             "PYTHONPATH": os.pathsep.join(paths),
-            build.FOLDER: str(folder / "ecu"),
         }

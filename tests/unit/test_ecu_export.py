@@ -10,13 +10,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from backend.ecu import build, effort, export, firmware, tables
+from backend.ecu import effort, export
 from backend.ecu.link import connected
+from benchmarks import firmware
 from benchmarks.cortex_m3 import CortexM3
 from benchmarks.ecu import RecordedDrive
 from sim_core import Bump, Hil, Mpc, Road, Scenario, Speed, simulate
-from sim_core.ecu.calibration import Calibration
+from sim_core.ecu.calibration import Checked
 from sim_core.ecu.sources import SOURCES
+from sim_core.kernel.build import default_compiler
 from sim_core.strategies.calibration import ecu_calibration
 from sim_core.strategies.lv_hil import LvHil
 from tests.results import event
@@ -29,35 +31,24 @@ SMALL = Scenario(
 )
 
 
-@pytest.fixture(scope="module")
-def calibration() -> Calibration:
-    return ecu_calibration(SMALL)
-
-
-@pytest.fixture(scope="module")
-def image(calibration: Calibration) -> firmware.Image:
-    return firmware.image(calibration)
-
-
-def test_the_zip_builds_with_its_own_makefile_and_drives_bit_for_bit_like_ridelabs_programs(tmp_path: Path) -> None:
-    """The one in a process of its own and the one in this process; with limits, and iterations it does not have."""
+def test_the_zip_builds_with_its_own_makefile_and_drives_bit_for_bit_like_ridelabs_program(tmp_path: Path) -> None:
+    """With limits, and iterations it does not have."""
     rushed = SMALL.model_copy(update={"hil": Hil(bits=16, iterations=3)})
     content = export.archive(rushed)
     assert content == export.archive(rushed)
     with zipfile.ZipFile(io.BytesIO(content)) as archive:
         archive.extractall(tmp_path)
     folder = tmp_path / export.FOLDER
-    compiler = " ".join(build.compilers()[0])
+    compiler = " ".join(default_compiler())
     make = subprocess.run(
         ["make", f"CC={compiler}", "CFLAGS=-std=c99 -O1 -Wall -Wextra -Werror"], cwd=folder, check=False
     )
     assert make.returncode == 0
     assert Scenario.model_validate_json((folder / "scenario.json").read_text()) == rushed
     exported = simulate(rushed, LvHil(connect=partial(connected, program=folder / "ridelab_ecu")))
-    for ours in (LvHil(connect=connected), "lv_hil"):
-        result = simulate(rushed, ours)
-        assert exported.summary() == result.summary()
-        assert all(np.array_equal(exported.series[key], result.series[key]) for key in result.series)
+    ours = simulate(rushed, "lv_hil")
+    assert exported.summary() == ours.summary()
+    assert all(np.array_equal(exported.series[key], ours.series[key]) for key in ours.series)
     assert event(exported, "limited_steps") > 5
     assert event(exported, "qp_failures") > 0
 
@@ -71,22 +62,27 @@ def test_the_c_code_keeps_the_habits_it_claims() -> None:
         assert not re.search(r"\d\.\d+(?!\d|f|e)", code), f"{name}: a double constant"
 
 
-def test_the_image_holds_what_the_tables_take(calibration: Calibration, image: firmware.Image) -> None:
-    """Constants are the float32 tables and little else; variables the controller, one input and one output."""
-    numbers = sum(stage.rows.size + stage.gram.size for stage in calibration.stages)
-    numbers += 11 + 64 + 16 + 24 + calibration.row_count
-    assert 0 <= image.sections[".rodata"] - (4 * numbers + calibration.row_count) < 256
-    assert image.flash == image.sections[".text"] + image.sections[".rodata"] + image.sections.get(".data", 0)
-    columns = 10 + 3 * calibration.intervals
-    least = 4 * (columns + calibration.row_count + 9 + 3 * calibration.preview_length + 4)
-    assert least < image.ram < least + 4 * (tables.most_active(calibration) + 8) ** 2
-    assert len(image.segments[0][1]) == image.sections[".text"]
+SIZES: list[tuple[int, int, Checked]] = [(30, 20, "all"), (30, 20, "few"), (10, 6, "all"), (7, 7, "few"), (1, 1, "all")]
+
+
+@pytest.mark.parametrize(("prediction", "control", "checked"), SIZES)
+def test_the_memory_that_the_report_computes_is_that_of_a_real_compilation(
+    prediction: int, control: int, checked: Checked
+) -> None:
+    """To the byte: code, constants and variables of the linked program."""
+    mpc = SMALL.mpc.model_copy(update={"prediction_horizon": prediction, "control_horizon": control})
+    calibration = ecu_calibration(SMALL.model_copy(update={"mpc": mpc}), checked)
+    image, computed = firmware.image(calibration), effort.memory(calibration)
+    assert image.sections[".text"] == len(image.segments[0][1]) == computed.code
+    assert image.sections[".rodata"] == computed.constants
+    assert (image.ram, image.flash) == (computed.variables, computed.code + computed.constants)
 
 
 @pytest.mark.thorough
-def test_on_the_parts_processor_it_does_the_same_in_the_cycles_the_report_takes(image: firmware.Image) -> None:
+def test_on_the_parts_processor_it_does_the_same_in_the_cycles_the_report_takes() -> None:
     """The emulated Cortex-M3 gives each command to the bit, and an operation's cycles as `effort` has them."""
-    drive, machine = RecordedDrive(SMALL), CortexM3(image)
+    drive = RecordedDrive(SMALL)
+    machine = CortexM3(firmware.image(drive.calibration))
     machine.call("ridelab_firmware_start")
     busiest = drive.by_operations[-1]
     for k in (0, 1, busiest - 2, busiest - 1, busiest, busiest + 1):

@@ -1,6 +1,6 @@
 """The connection to the ECU's process: what misbehaving leads to, and that nothing stays."""
 
-import os
+import shlex
 import signal
 import subprocess
 import sys
@@ -11,12 +11,13 @@ import numpy as np
 import psutil
 import pytest
 
-from backend.ecu import build, link
-from backend.ecu.build import EcuError
-from backend.ecu.link import connected
+from backend.ecu import export, link
+from backend.ecu.link import EcuError, connected
 from backend.ecu.tables import fingerprint
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.interface import Frame
+from sim_core.ecu.program import CompiledEcu
+from sim_core.kernel.build import default_compiler
 from sim_core.scenario import Mpc, Scenario
 from sim_core.strategies.calibration import ecu_calibration
 from tests.servers.process import HANG_TIMEOUT, wait_until
@@ -44,6 +45,15 @@ def calibration() -> Calibration:
     return ecu_calibration(SMALL)
 
 
+@pytest.fixture(scope="module")
+def program(calibration: Calibration, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The exported one, with these tables."""
+    folder = tmp_path_factory.mktemp("controller")
+    export.written(folder, calibration, "{}")
+    subprocess.run(["make", f"CC={shlex.join(default_compiler())}"], cwd=folder, check=True, capture_output=True)
+    return folder / "ridelab_ecu"
+
+
 def frame(calibration: Calibration, step: int = 0, stage: int = 0) -> Frame:
     return Frame(step=step, stage=stage, codes=np.zeros(8 + 3 * calibration.preview_length, dtype=np.int32))
 
@@ -65,15 +75,19 @@ def nothing_stays(monkeypatch: pytest.MonkeyPatch) -> Any:
     assert {child.pid for child in psutil.Process().children()} <= before
 
 
-def test_the_program_answers_and_forgets_between_connections(calibration: Calibration) -> None:
+def test_the_program_answers_as_ours_does_and_forgets_between_connections(
+    calibration: Calibration, program: Path
+) -> None:
+    """To the bit, and with as many operations."""
     for _ in range(2):
-        with connected(calibration) as ecu:
+        ours = CompiledEcu(calibration)
+        with connected(calibration, program) as ecu:
             codes = frame(calibration).codes
             codes[4] = 50
-            first = ecu.exchange(Frame(step=7, stage=2, codes=codes))
-            assert first.commands != (0, 0)
-            assert ecu.exchange(Frame(step=8, stage=2, codes=codes)).commands != first.commands, "it remembers its last"
-            assert len(ecu.operations) == 2
+            first, second = (ecu.exchange(Frame(step=step, stage=2, codes=codes)) for step in (7, 8))
+        assert [first, second] == [ours.exchange(Frame(step=step, stage=2, codes=codes)) for step in (7, 8)]
+        assert first.operations > 0
+        assert (0, 0) != first.commands != second.commands, "it remembers its last"
 
 
 MISBEHAVIOURS = {
@@ -97,19 +111,21 @@ def test_a_peer_that_misbehaves_is_an_error_and_never_a_wait(
         ecu.exchange(frame(calibration))
 
 
-def test_the_program_ends_with_a_plant_that_was_killed() -> None:
+def test_the_program_ends_with_a_plant_that_was_killed(program: Path) -> None:
     code = (
-        "import os, subprocess, sys\n"
+        "import sys\n"
+        "from pathlib import Path\n"
         "from backend.ecu.link import connected\n"
         "from sim_core.scenario import Mpc, Scenario\n"
         "from sim_core.strategies.calibration import ecu_calibration\n"
         "import psutil\n"
-        "with connected(ecu_calibration(Scenario(mpc=Mpc(prediction_horizon=4, control_horizon=2)))):\n"
+        "small = ecu_calibration(Scenario(mpc=Mpc(prediction_horizon=4, control_horizon=2)))\n"
+        "with connected(small, Path(sys.argv[1])):\n"
         "    print(psutil.Process().children()[0].pid, flush=True)\n"
         "    sys.stdin.read()\n"
     )
     plant = subprocess.Popen(
-        [sys.executable, "-c", code], cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        [sys.executable, "-c", code, str(program)], cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
     )
     assert plant.stdout is not None
     pid = int(plant.stdout.readline())
@@ -121,14 +137,3 @@ def test_the_program_ends_with_a_plant_that_was_killed() -> None:
         return not psutil.pid_exists(pid) or psutil.Process(pid).status() == psutil.STATUS_ZOMBIE
 
     wait_until(has_ended, "it ends with its plant")
-
-
-def test_a_folder_of_somebody_else_is_not_used(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.delenv(build.FOLDER, raising=False)
-    monkeypatch.setattr("tempfile.gettempdir", lambda: str(tmp_path))
-    (tmp_path / f"ridelab-ecu-{os.getuid()}").mkdir()
-    (tmp_path / f"ridelab-ecu-{os.getuid()}").chmod(0o777)
-    with pytest.raises(EcuError, match="somebody else's"):
-        build.folder()
-    (tmp_path / f"ridelab-ecu-{os.getuid()}").chmod(0o700)
-    assert build.folder().parent == tmp_path

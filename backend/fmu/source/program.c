@@ -6,6 +6,7 @@
 #include "sampled.h"
 
 enum { MEASURED = RIDELAB_STATES + RIDELAB_PREVIEWED, MOST_ITERATIONS = 1000000, MOST_CODE = 1 << 24 };
+enum { MOST_INTERVALS = 200, MOST_ROWS = 600, MOST_ACTIVE = 44 }; /* as kernel/ecu.c has them */
 
 struct memory {
     struct control_steps steps;
@@ -15,7 +16,10 @@ struct memory {
     const double *full_scale;               /* MEASURED: of the states and of what is previewed */
     ridelab_tables tables;
     ridelab_controller controller;
-    int8_t axles[RIDELAB_MOST_ROWS];
+    int8_t axles[MOST_ROWS];
+    int32_t codes[RIDELAB_CODES(MOST_INTERVALS + 1)];
+    ridelab_limit limits[MOST_ACTIVE];
+    float work[RIDELAB_WORK(MOST_INTERVALS, MOST_ROWS, MOST_ACTIVE)];
     float *last, real[]; /* the one behind those that were taken, and all in single precision */
 };
 
@@ -32,8 +36,9 @@ static const float *take_single(struct memory *me, struct resources *from, size_
 static void take_tables(struct memory *me, struct resources *from)
 {
     ridelab_tables *to = &me->tables;
-    to->intervals = ridelab_take_whole(from, 1, RIDELAB_MOST_PREVIEWED);
-    to->rows = ridelab_take_whole(from, RIDELAB_FORCES, RIDELAB_MOST_ROWS);
+    to->intervals = ridelab_take_whole(from, 1, MOST_INTERVALS);
+    to->rows = ridelab_take_whole(from, RIDELAB_FORCES, MOST_ROWS);
+    to->active = ridelab_take_whole(from, RIDELAB_AXLES, MOST_ACTIVE);
     to->predicts = ridelab_take_whole(from, 0, 1);
     to->highest = ridelab_take_whole(from, 1, MOST_CODE);
     to->previewed = me->preview.steps;
@@ -51,8 +56,7 @@ static void take_tables(struct memory *me, struct resources *from)
     to->e = take_single(me, from, RIDELAB_STATES * RIDELAB_PREVIEWED);
     to->bounds = take_single(me, from, (size_t)to->rows);
     for (int stage = 0; stage < RIDELAB_STAGES; stage++) {
-        int32_t columns = RIDELAB_STATES + RIDELAB_FORCES + RIDELAB_PREVIEWED * to->intervals;
-        to->effects[stage] = take_single(me, from, (size_t)(to->rows * columns));
+        to->effects[stage] = take_single(me, from, (size_t)(to->rows * RIDELAB_COLUMNS(to->intervals)));
         to->gram[stage] = take_single(me, from, (size_t)(to->rows * to->rows));
     }
 }
@@ -64,7 +68,7 @@ void *model_prepare(struct resources *from)
         return NULL;
     me->last = me->real;
     me->preview = find_preview(from);
-    from->damaged |= me->preview.steps > RIDELAB_MOST_PREVIEWED;
+    from->damaged |= me->preview.steps > MOST_INTERVALS + 1;
     const double *sample_time = ridelab_take(from, 1), *force_of_code = ridelab_take(from, 1);
     me->steps.sample_time = sample_time ? *sample_time : 0;
     me->force_of_code = force_of_code ? *force_of_code : 0;
@@ -89,23 +93,23 @@ void model_begin(double *value, void *memory)
     double most = value[me->iterations];
     me->tables.iterations = (int32_t)(most < 0 ? 0 : most > MOST_ITERATIONS ? MOST_ITERATIONS : most);
     me->steps.count = 0;
-    ridelab_init(&me->controller, &me->tables);
+    ridelab_init(&me->controller, &me->tables, me->limits, me->work);
 }
 
 const char *model_step(double *value, void *memory, double time, double step)
 {
     struct memory *me = memory;
-    ridelab_input input = {.stage = (int32_t)value[me->stage]};
+    ridelab_input input = {.stage = (int32_t)value[me->stage], .codes = me->codes};
     ridelab_output output;
-    double disturbances[RIDELAB_PREVIEWED * RIDELAB_MOST_PREVIEWED];
+    double disturbances[RIDELAB_PREVIEWED * (MOST_INTERVALS + 1)];
     int previewed = me->preview.steps;
     if (step > MOST_CONTROL_STEPS * me->steps.sample_time)
         return "The step is longer than 100000 control steps";
     for (int i = 0; i < RIDELAB_STATES; i++)
-        input.codes[i] = code(me, value[me->state + (size_t)i], me->full_scale[i]);
+        me->codes[i] = code(me, value[me->state + (size_t)i], me->full_scale[i]);
     expected(&me->preview, value, me->steps.sample_time, disturbances);
     for (int i = 0; i < RIDELAB_PREVIEWED * previewed; i++)
-        input.codes[RIDELAB_STATES + i] = code(me, disturbances[i], me->full_scale[RIDELAB_STATES + i / previewed]);
+        me->codes[RIDELAB_STATES + i] = code(me, disturbances[i], me->full_scale[RIDELAB_STATES + i / previewed]);
     while (next_control_step(&me->steps, time, step)) {
         if (ridelab_step(&me->controller, &input, &output) < 0)
             return "The stage is 0 (cruise), 1 (brake) or 2 (bump)";

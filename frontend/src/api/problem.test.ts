@@ -26,7 +26,6 @@ describe("problems", () => {
     expect([429, 503].every((status) => isTransient(new ApiProblem(status, "", [])))).toBe(true);
     expect([404, 422, 500].some((status) => isTransient(new ApiProblem(status, "", [])))).toBe(false);
     expect(isTransient(readProblem(503, { type: "urn:problem-type:ridelab:full" }, "7"))).toBe(true);
-    expect(isTransient(readProblem(503, { type: "urn:problem-type:ridelab:ecu-unavailable" }, null))).toBe(false);
     expect(isNotFound(new ApiProblem(404, "", []))).toBe(true);
   });
 });

@@ -11,7 +11,7 @@ export class ApiProblem extends Error {
   readonly status: number;
   readonly errors: readonly FieldError[];
   readonly retryAfter: number | null;
-  /** The kind's short name, such as `ecu-unavailable`. */
+  /** The kind's short name, such as `store-unavailable`. */
   readonly kind: string | null;
 
   constructor(
@@ -39,15 +39,10 @@ export class Unreachable extends Error {
 }
 
 const TRANSIENT = new Set([429, 502, 503, 504]);
-/** Waits for somebody who does what its message says. */
-const ECU_UNAVAILABLE = "ecu-unavailable";
 
 /** Whether the same request may succeed later without anybody doing anything. */
 export function isTransient(error: unknown): boolean {
-  return (
-    error instanceof Unreachable ||
-    (error instanceof ApiProblem && TRANSIENT.has(error.status) && error.kind !== ECU_UNAVAILABLE)
-  );
+  return error instanceof Unreachable || (error instanceof ApiProblem && TRANSIENT.has(error.status));
 }
 
 /** What to change where the server says that, else what went wrong. */

@@ -36,8 +36,6 @@ export const roadQuery = (id: string) => ({
   ...FOR_EVER,
 });
 /** Looked at again after a minute: somebody may have installed what was missing. */
-const COMPILERS_MS = 60_000;
-export const compilersQuery = { ...query("/controller/compilers", {}), staleTime: COMPILERS_MS };
 export const vehiclesQuery = { ...query("/vehicles", {}), ...FOR_EVER };
 const LOOK_MS = 2000;
 /** What there is, and of which file: another text where a file was saved, and what follows from it is read again. */

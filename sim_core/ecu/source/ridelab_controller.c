@@ -71,9 +71,12 @@ static int32_t write_command(const ridelab_tables *tables, float force, float *s
     return code;
 }
 
-void ridelab_init(ridelab_controller *me, const ridelab_tables *tables)
+void ridelab_init(ridelab_controller *me, const ridelab_tables *tables, ridelab_limit *limits, float *work)
 {
     me->tables = tables;
+    me->given = work;
+    me->values = work + RIDELAB_COLUMNS(tables->intervals);
+    ridelab_dual_init(&me->dual, tables->active, limits, me->values + tables->rows);
     for (int32_t i = 0; i < RIDELAB_FORCES; i++) {
         me->previous[i] = 0.0f;
     }
@@ -82,7 +85,7 @@ void ridelab_init(ridelab_controller *me, const ridelab_tables *tables)
 int32_t ridelab_step(ridelab_controller *me, const ridelab_input *input, ridelab_output *output)
 {
     const ridelab_tables *tables = me->tables;
-    const int32_t columns = RIDELAB_STATES + RIDELAB_FORCES + RIDELAB_PREVIEWED * tables->intervals;
+    const int32_t columns = RIDELAB_COLUMNS(tables->intervals);
     int32_t flags;
     if (input->stage < 0 || input->stage >= RIDELAB_STAGES) {
         return RIDELAB_MISUSE;

@@ -38,10 +38,10 @@ static ridelab_real reduce(ridelab_dual *me, const ridelab_tables *tables, const
         RIDELAB_COUNT(i + 3); /* the products below, the coupling, the division */
         ridelab_real sum = coupling(tables, gram, limit, &me->limits[i]);
         for (int32_t j = 0; j < i; j++) {
-            sum -= me->factor[i][j] * me->solved[j];
+            sum -= me->factor[i * me->most + j] * me->solved[j];
         }
         me->solved[i] = sum;
-        left -= sum * sum / me->factor[i][i];
+        left -= sum * sum / me->factor[i * me->most + i];
     }
     return left;
 }
@@ -51,9 +51,9 @@ static void append(ridelab_dual *me, const ridelab_limit *limit, ridelab_real mu
     const int32_t place = me->count;
     RIDELAB_COUNT(place);
     for (int32_t j = 0; j < place; j++) {
-        me->factor[place][j] = me->solved[j] / me->factor[j][j];
+        me->factor[place * me->most + j] = me->solved[j] / me->factor[j * me->most + j];
     }
-    me->factor[place][place] = left;
+    me->factor[place * me->most + place] = left;
     me->limits[place] = *limit;
     me->multipliers[place] = multiplier;
     me->count = place + 1;
@@ -125,10 +125,10 @@ static void move(ridelab_dual *me, const ridelab_tables *tables, const ridelab_r
 static void find_direction(ridelab_dual *me)
 {
     for (int32_t i = me->count - 1; i >= 0; i--) {
-        ridelab_real sum = me->solved[i] / me->factor[i][i];
+        ridelab_real sum = me->solved[i] / me->factor[i * me->most + i];
         RIDELAB_COUNT(me->count - i);
         for (int32_t j = i + 1; j < me->count; j++) {
-            sum -= me->factor[j][i] * me->direction[j];
+            sum -= me->factor[j * me->most + i] * me->direction[j];
         }
         me->direction[i] = sum;
     }
@@ -184,6 +184,16 @@ static int32_t advance(ridelab_dual *me, const ridelab_tables *tables, const rid
     return 0;
 }
 
+void ridelab_dual_init(ridelab_dual *me, int32_t most, ridelab_limit *limits, ridelab_real *work)
+{
+    me->most = most;
+    me->limits = limits;
+    me->multipliers = work;
+    me->direction = work + most;
+    me->solved = work + 2 * most;
+    me->factor = work + 3 * most;
+}
+
 static void start(ridelab_dual *me, const ridelab_tables *tables)
 {
     me->count = 0;
@@ -217,7 +227,7 @@ int32_t ridelab_dual_solve(ridelab_dual *me, const ridelab_tables *tables, const
             }
             flags |= RIDELAB_LIMITED;
         }
-        if (pass == tables->iterations || me->count == RIDELAB_MOST_ACTIVE) {
+        if (pass == tables->iterations || me->count == me->most) {
             break;
         }
         me->iterations = pass + 1;

@@ -12,15 +12,22 @@ typedef struct {
 } ridelab_limit;
 
 typedef struct {
+    int32_t most;  /* limits that there is memory for */
     int32_t count; /* limits that bind */
     int32_t iterations;
-    ridelab_limit limits[RIDELAB_MOST_ACTIVE];
-    ridelab_real multipliers[RIDELAB_MOST_ACTIVE];
-    ridelab_real direction[RIDELAB_MOST_ACTIVE];
-    ridelab_real solved[RIDELAB_MOST_ACTIVE];
-    ridelab_real factor[RIDELAB_MOST_ACTIVE][RIDELAB_MOST_ACTIVE]; /* L below the diagonal, D on it */
-    ridelab_real slacks[RIDELAB_AXLES];                            /* [cm] */
+    ridelab_real slacks[RIDELAB_AXLES]; /* [cm] */
+    ridelab_limit *limits;              /* (most), as multipliers, direction, solved */
+    ridelab_real *multipliers;
+    ridelab_real *direction;
+    ridelab_real *solved;
+    ridelab_real *factor; /* (most, most): L below the diagonal, D on it */
 } ridelab_dual;
+
+/* Real numbers that it works in. */
+#define RIDELAB_DUAL_WORK(most) ((most) * ((most) + 3))
+
+/* Give it its memory: `most` limits, RIDELAB_DUAL_WORK(most) numbers. */
+void ridelab_dual_init(ridelab_dual *me, int32_t most, ridelab_limit *limits, ridelab_real *work);
 
 /* Moves `values` (rows) from the unconstrained optimum to the constrained one; returns the controller's flags. */
 int32_t ridelab_dual_solve(ridelab_dual *me, const ridelab_tables *tables, const ridelab_real *gram,

@@ -4,8 +4,6 @@
 
 #include <stdint.h>
 
-#include "ridelab_sizes.h"
-
 #define RIDELAB_STATES 8
 #define RIDELAB_FORCES 2
 #define RIDELAB_PREVIEWED 3 /* road velocity front and rear, braking deceleration */
@@ -26,6 +24,7 @@ typedef struct {
     int32_t predicts;   /* 1: predict the state for the moment the command takes effect */
     int32_t iterations; /* the solver stops after so many */
     int32_t highest;    /* greatest code of a command */
+    int32_t active;     /* limits that may bind together, with one to spare */
     ridelab_real command_step; /* what one code of a command stands for [kN] */
     ridelab_real slack_price;  /* of a deflection beyond its limit [1/cm] */
     ridelab_real inverse_slack_weight;  /* inverse of its quadratic price [cm^2] */

@@ -7,7 +7,6 @@ import { useState, type ReactNode } from "react";
 import { ask } from "../../api/http";
 import type { ControllerReport, Scenario } from "../../api/types";
 import { formatPercent } from "../../features/tables/change";
-import { compilersQuery } from "../../server/queries";
 import { VIEWS } from "../../features/tables/entries";
 import { formatNumber, formatWhole, formatInput } from "../../units/format";
 import { DataTable, type Column } from "../../ui/DataTable";
@@ -27,7 +26,6 @@ const reportQuery = (scenario: Scenario, enabled: boolean) =>
 export function BuildReport({ scenario }: { readonly scenario: Scenario }) {
   const [requested, setRequested] = useState<Scenario | null>(null);
   const report = useQuery(reportQuery(scenario, requested === scenario));
-  const missing = useQuery(compilersQuery).data?.report ?? null;
   return (
     <Card
       aria-label="Build report"
@@ -37,10 +35,9 @@ export function BuildReport({ scenario }: { readonly scenario: Scenario }) {
         !report.data && (
           <Button
             loading={report.isFetching}
-            disabled={missing !== null}
             onClick={() => (requested === scenario ? void report.refetch() : setRequested(scenario))}
           >
-            Build and measure
+            Measure
           </Button>
         )
       }
@@ -51,11 +48,10 @@ export function BuildReport({ scenario }: { readonly scenario: Scenario }) {
         <Stack gap="xs" px="0.9rem" pb="sm">
           <Text c="dimmed">
             {report.isFetching
-              ? "The program is built for the part and driven over the road, the scenario’s own and smaller ones: this takes some seconds each."
-              : "Compiles the controller for a Cortex-M3 at 72 MHz without floating-point hardware (64 KB RAM, 512 KB flash), counts what a step costs, and does the same with shorter horizons."}
+              ? "The program is driven over the road, the scenario’s own and smaller ones: this takes some seconds."
+              : "What the controller takes of a Cortex-M3 at 72 MHz without floating-point hardware (64 KB RAM, 512 KB flash): its memory, and the time of a step by the operations that it counts on this road. The same with shorter horizons."}
           </Text>
           {report.isFetching && <Skeleton height={180} radius={6} />}
-          {missing !== null && <Fault>{missing}.</Fault>}
           {report.isError && !report.isFetching && <Fault>{report.error.message}</Fault>}
         </Stack>
       )}

@@ -6,19 +6,19 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "ridelab_calibration.h"
 #include "ridelab_controller.h"
 #include "ridelab_count.h"
-#include "ridelab_prepare.h"
 
 #define WORDS_AHEAD 2
 #define ANSWER 7
 
-enum { DONE = 0, NO_TABLES = 3, BROKEN = 5 };
+enum { DONE = 0, BROKEN = 5 };
 
 uint32_t ridelab_counted;
 
 static ridelab_controller controller;
-static ridelab_input input;
+static ridelab_input input = {.codes = ridelab_codes};
 
 static void put(unsigned char *place, uint32_t word)
 {
@@ -41,22 +41,21 @@ static int send_all(const unsigned char *place, size_t length)
     return fwrite(place, 1, length, stdout) == length && fflush(stdout) == 0;
 }
 
-static int serve(const ridelab_tables *tables)
+static int serve(void)
 {
-    static unsigned char frame[4 * (WORDS_AHEAD + RIDELAB_CODES)];
+    static unsigned char frame[4 * (WORDS_AHEAD + RIDELAB_CODE_COUNT)];
     unsigned char answer[4 * ANSWER];
-    const int32_t codes = RIDELAB_STATES + RIDELAB_PREVIEWED * tables->previewed;
-    const size_t length = 4 * (size_t)(WORDS_AHEAD + codes);
+    const size_t length = sizeof frame;
     size_t got;
-    ridelab_init(&controller, tables);
+    ridelab_init(&controller, &ridelab_calibration, ridelab_limits, ridelab_work);
     while ((got = fread(frame, 1, length, stdin)) == length) {
         ridelab_output output = {{0, 0}, 0, 0.0f};
         uint32_t slack;
         int32_t flags;
         ridelab_counted = 0;
         input.stage = get(&frame[4]);
-        for (int32_t i = 0; i < codes; i++) {
-            input.codes[i] = get(&frame[4 * (WORDS_AHEAD + i)]);
+        for (int32_t i = 0; i < RIDELAB_CODE_COUNT; i++) {
+            ridelab_codes[i] = get(&frame[4 * (WORDS_AHEAD + i)]);
         }
         flags = ridelab_step(&controller, &input, &output);
         memcpy(&slack, &output.slack, sizeof slack);
@@ -77,12 +76,6 @@ static int serve(const ridelab_tables *tables)
 int main(void)
 {
     unsigned char hello[12] = {'R', 'I', 'D', 'E', 'L', 'A', 'B', '2'};
-    uint32_t fingerprint;
-    const ridelab_tables *tables = ridelab_prepare(&fingerprint);
-    if (tables == NULL) {
-        (void)fputs("the tables could not be read\n", stderr);
-        return NO_TABLES;
-    }
-    put(&hello[8], fingerprint);
-    return send_all(hello, sizeof hello) ? serve(tables) : BROKEN;
+    put(&hello[8], RIDELAB_FINGERPRINT);
+    return send_all(hello, sizeof hello) ? serve() : BROKEN;
 }

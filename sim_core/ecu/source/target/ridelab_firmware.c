@@ -1,5 +1,6 @@
 /* What a control unit's program keeps besides its drivers: call ridelab_firmware_start once, then ridelab_firmware_step
-   every control step, between reading the converters into ridelab_firmware_input and writing ridelab_firmware_output. */
+   every control step, between reading the converters into ridelab_firmware_input.stage and ridelab_codes, and writing
+   ridelab_firmware_output. */
 #include "ridelab_calibration.h"
 #include "ridelab_controller.h"
 
@@ -13,7 +14,8 @@ int32_t ridelab_firmware_step(void);
 
 void ridelab_firmware_start(void)
 {
-    ridelab_init(&controller, &ridelab_calibration);
+    ridelab_firmware_input.codes = ridelab_codes;
+    ridelab_init(&controller, &ridelab_calibration, ridelab_limits, ridelab_work);
 }
 
 int32_t ridelab_firmware_step(void)
