@@ -5,19 +5,20 @@ Results with a few small arrays of a fixed shape, such as a car's matrices, have
 """
 
 from collections.abc import Callable, Hashable, Iterable
-from contextlib import suppress
-from functools import cache, lru_cache, wraps
+from functools import cache, lru_cache, partial, wraps
 from operator import itemgetter
 from threading import Lock
 from typing import Any, ParamSpec, TypeVar
 
+import cachetools
 import numpy as np
-from cachetools import LRUCache
 from cachetools.keys import hashkey
 from numpy.typing import NDArray
 
 P = ParamSpec("P")
 T = TypeVar("T")
+
+_Entries = cachetools.LRUCache[Hashable, tuple[Any, int]]  # results with what they count [bytes]
 
 MEBIBYTE = 1024 * 1024
 MAX_BYTES = 28 * MEBIBYTE  # of a process: a scenario that somebody edits, under every strategy, several times over
@@ -31,7 +32,7 @@ def _fields(kind: type) -> tuple[str, ...]:
 
 
 def arrays(value: Any) -> list[NDArray[Any]]:
-    """Return itself, those in dataclasses, tuples and dictionaries; and the arrays that these are views of."""
+    """Return the arrays in a value, in its dataclasses, tuples and dictionaries, and those that they are views of."""
     collected: list[NDArray[Any]] = []
     parts = [value]
     for part in parts:  # which grow meanwhile
@@ -83,28 +84,25 @@ class Cache:
     """
 
     def __init__(self, max_bytes: int) -> None:
-        self._entries: LRUCache[Hashable, tuple[Any, int]] = LRUCache(max_bytes, getsizeof=itemgetter(1))
+        self._entries: cachetools.LRUCache[Hashable, tuple[Any, int]] = cachetools.LRUCache(
+            max_bytes, getsizeof=itemgetter(1)
+        )
         self._lock = Lock()
 
     def cached(self, function: Callable[P, T]) -> Callable[P, T]:
-        """Cache its results; arguments must be hashable, and nobody can write into the arrays of either afterwards."""
+        """Cache a function's results; arguments are hashable, and nobody can write into arrays of either any more."""
 
-        @wraps(function)
-        def lookup(*args: P.args, **kwargs: P.kwargs) -> T:
-            key = hashkey(function, *args, **kwargs)  # type: ignore[arg-type]  # whatever cannot be hashed fails here
-            with self._lock:
-                entry = self._entries.get(key)
-            if entry is not None:
-                cached_result: T = entry[0]
-                return cached_result
+        @cachetools.cached(self._entries, key=partial(hashkey, function), lock=self._lock)
+        def sized(*args: P.args, **kwargs: P.kwargs) -> tuple[T, int]:
             result = function(*args, **kwargs)
             given, made = arrays((args, tuple(kwargs.values()))), arrays(result)
             _make_read_only([*given, *made])
             own = {id(array): array.nbytes for array in made if not hasattr(array.base, "base")}  # no view
-            size = _ENTRY_OVERHEAD + sum(own[each] for each in own.keys() - set(map(id, given)))
-            with self._lock, suppress(ValueError):  # larger than the whole cache
-                self._entries[key] = result, size
-            return result
+            return result, _ENTRY_OVERHEAD + sum(own[each] for each in own.keys() - set(map(id, given)))
+
+        @wraps(function)
+        def lookup(*args: P.args, **kwargs: P.kwargs) -> T:
+            return sized(*args, **kwargs)[0]
 
         return lookup
 

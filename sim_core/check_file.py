@@ -2,8 +2,8 @@
 
 import json
 import sys
+from collections.abc import Sequence
 from contextlib import redirect_stdout, suppress
-from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from sim_core.check_controller import check_controller, failure
@@ -20,40 +20,27 @@ _HEAVY = Scenario(
 )
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Check:
-    """What was found in one controller.
-
-    Attributes:
-        id: The controller's.
-        label: The controller's.
-        faults: A sentence each.
-    """
-
-    id: str
-    label: str
-    faults: list[str]
-
-    def lines(self) -> list[str]:
-        """Return it in words."""
-        head = f"{self.id} ({self.label}): {'this is wrong' if self.faults else 'nothing wrong was found'}"
-        return [head, *(f"  {each}" for each in self.faults)]
-
-
 def main(file: Path, *, as_json: bool = False) -> int:
     """Print what was found in each controller; the exit code says whether anything is wrong."""
     _bound_memory()
     try:
         with redirect_stdout(sys.stderr):  # what the file itself prints is no part of the answer
-            checks = [_check(each, file) for each in load_controllers(file).values()]
+            faults = {each: _faults(each, file) for each in load_controllers(file).values()}
     except ControllerFileError as error:
         sys.stdout.write(f"{error.message}\n")
         return UNUSABLE
-    text = "\n".join(line for each in checks for line in each.lines())
     if as_json:
-        text = json.dumps([asdict(each) for each in checks], indent=1)
+        checks = [{"id": each.id, "label": str(each.label), "faults": wrong} for each, wrong in faults.items()]
+        text = json.dumps(checks, indent=1)
+    else:
+        text = "\n".join(line for each, wrong in faults.items() for line in _lines(each, wrong))
     sys.stdout.write(f"{text}\n")
-    return FAULTS if any(each.faults for each in checks) else 0
+    return FAULTS if any(faults.values()) else 0
+
+
+def _lines(controller: type[Controller], faults: Sequence[str]) -> list[str]:
+    head = f"{controller.id} ({controller.label}): {'this is wrong' if faults else 'nothing wrong was found'}"
+    return [head, *(f"  {each}" for each in faults)]
 
 
 def _bound_memory() -> None:
@@ -63,7 +50,7 @@ def _bound_memory() -> None:
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, resource.getrlimit(resource.RLIMIT_AS)[1]))
 
 
-def _check(controller: type[Controller], file: Path) -> Check:
+def _faults(controller: type[Controller], file: Path) -> list[str]:
     """Check a controller, then drive it over the paper's road and another car, which may change nothing of it."""
     faults = check_controller(controller)
     if not faults:
@@ -77,7 +64,7 @@ def _check(controller: type[Controller], file: Path) -> Check:
                 ]
         except (Exception, SystemExit) as error:  # noqa: BLE001 - the paper's road is longer than the check's
             faults = [failure(error, controller)]
-    return Check(id=controller.id, label=str(controller.label), faults=faults)
+    return faults
 
 
 if __name__ == "__main__":

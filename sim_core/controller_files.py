@@ -240,11 +240,8 @@ LOADERS: dict[str, Callable[[Path], Controllers]] = {".py": _run, ".fmu": _fmu}
 
 def _with_digest(path: Path, controllers: Controllers, source: bytes | None = None) -> Controllers:
     """Return the same controllers, which know the digest of their file and of those that they read."""
-    try:
-        contents = [path.read_bytes() if source is None else source]
-        contents += [each.read_bytes() for each in _files(path, files_of(controllers))[1:]]
-    except OSError as error:
-        raise _unreadable(path, error) from None
+    others = _files(path, files_of(controllers))[1:]
+    contents = [_read(path) if source is None else source, *map(_read, others)]
     digests = b"".join(hashlib.sha256(content).digest() for content in contents)
     for controller in controllers.values():
         controller.file_digest = hashlib.sha256(digests).hexdigest()

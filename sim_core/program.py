@@ -2,7 +2,6 @@
 
 import hashlib
 import inspect
-from collections.abc import Hashable
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -23,17 +22,14 @@ def program(strategy: type[Controller]) -> dict[str, str]:
         OSError: The controller's file cannot be read.
         TypeError: It is in no file: `sys.modules` has no such module.
     """
-    controller = vars(strategy).get("file_digest") or _source(strategy)  # type: ignore[arg-type]  # a class can be hashed
-    return {"core": sim_core.__version__, "kernel": DIGEST, "osqp": _osqp(), "controller": controller}
+    controller = vars(strategy).get("file_digest") or _digest(inspect.getfile(strategy))
+    return {"core": sim_core.__version__, "kernel": DIGEST, "osqp": _version("osqp"), "controller": controller}
+
+
+_version = cache(version)
 
 
 @cache
-def _osqp() -> str:
-    return version("osqp")
-
-
-@cache
-def _source(strategy: Hashable) -> str:
-    """SHA-256 of the file that has the class, as it was when somebody first asked."""
-    assert isinstance(strategy, type)  # noqa: S101 - a class can be hashed
-    return hashlib.sha256(Path(inspect.getfile(strategy)).read_bytes()).hexdigest()
+def _digest(file: str) -> str:
+    """Return the SHA-256 of a file as it was when somebody first asked."""
+    return hashlib.sha256(Path(file).read_bytes()).hexdigest()

@@ -20,6 +20,10 @@ _ONE_TRACK = "Masses, springs and dampers are those of one track, half of the ca
 _PRINTED = "These are the paper's own values (Table 2)."
 _REAL = "This is the car that is driven, with the factors of the model mismatch."
 _PAPERS = Vehicle()
+_SENTENCES = {
+    "sag": f"The body's weight compresses the suspension by {{}}; usual is less than {1000 * LARGEST_SAG:.0f} mm.",
+    "body_frequency": "The body's natural frequency is {{}}; usual is {:g} to {:g} Hz.".format(*BODY_FREQUENCIES),
+}
 
 
 def vehicle_cautions(vehicle: Vehicle) -> tuple[Caution, ...]:
@@ -39,16 +43,21 @@ def vehicle_cautions(vehicle: Vehicle) -> tuple[Caution, ...]:
         >>> [(each.kind, each.field) for each in vehicle_cautions(heavy)]
         [('sag', 'vehicle.body_mass')]
     """
-    cautions = []
-    if sags := _deep_sags(vehicle):
-        is_papers = _is_papers(vehicle, sags)
-        kind, origin = (PAPER_SAG, _PRINTED) if is_papers else ("sag", _ONE_TRACK)
-        text = f"{_sag_text(sags, _frequencies(vehicle))} {origin}"
-        cautions.append(Caution(kind=kind, text=text, field=_field(sags)))
-    if frequencies := _odd_frequencies(vehicle):
-        text = f"{_frequency_text(frequencies)} {_ONE_TRACK}"
-        cautions.append(Caution(kind="body_frequency", text=text, field=_field(frequencies)))
-    return tuple(cautions)
+    return tuple(
+        _sag_caution(vehicle, values)
+        if kind == "sag"
+        else Caution(kind=kind, text=f"{_sentence(kind, values)} {_ONE_TRACK}", field=_field(values))
+        for kind, values in _unusual(vehicle, vehicle).items()
+    )
+
+
+def _sag_caution(vehicle: Vehicle, sags: Mapping[str, str]) -> Caution:
+    """Return the warning of a vehicle's sag, with the frequencies that it leads to."""
+    deciding = ("body_mass", "cg_to_front", "cg_to_rear", *(f"{axle}_spring" for axle in sags))
+    is_papers = all(getattr(vehicle, name) == getattr(_PAPERS, name) for name in deciding)
+    kind, origin = (PAPER_SAG, _PRINTED) if is_papers else ("sag", _ONE_TRACK)
+    notes = {axle: f" ({_hertz(vehicle, axle)} Hz)" for axle in sags}
+    return Caution(kind=kind, text=f"{_sentence('sag', sags, notes)} {origin}", field=_field(sags))
 
 
 def vehicle_facts(vehicle: Vehicle) -> dict[str, Any]:
@@ -94,70 +103,44 @@ def scenario_cautions(scenario: Scenario) -> tuple[Caution, ...]:
 def _real_cautions(scenario: Scenario) -> Iterator[Caution]:
     """Return the warnings of the driven vehicle that are not those of the believed one."""
     believed, real = scenario.vehicle, scenario.real_vehicle
-    if (sags := _deep_sags(believed, real.lowered)) and _sag_text(sags) != _sag_text(_deep_sags(believed)):
-        yield Caution(kind="sag", text=f"{_sag_text(sags)} {_REAL}", field=_changed(scenario))
-    frequencies, others = _odd_frequencies(real), _odd_frequencies(believed)
-    if frequencies and _frequency_text(frequencies) != _frequency_text(others):
-        yield Caution(kind="body_frequency", text=f"{_frequency_text(frequencies)} {_REAL}", field=_changed(scenario))
+    known = _unusual(believed, believed)
+    for kind, values in _unusual(believed, real).items():
+        if values != known.get(kind):
+            factors = (name for name in ("body_mass", "springs", "tyres") if getattr(scenario.mismatch, name) != 1)
+            yield Caution(kind=kind, text=f"{_sentence(kind, values)} {_REAL}", field=f"mismatch.{next(factors)}")
     pressed = {axle: min(pair) for axle, pair in zip(_AXLES, zip(*real.stop_clearances, strict=True), strict=True)}
     if resting := {axle: f"{-1000 * each:.0f} mm" for axle, each in pressed.items() if round(each, 3) < 0}:
         text = f"At rest the driven car presses its stops by {_at_axles(resting)}: it has no travel left that way."
         yield Caution(kind="rests_on_stops", text=text, field="vehicle.bump_stop_clearance")
 
 
-def _changed(scenario: Scenario) -> str:
-    """Return the first factor that changes the body's sag or its natural frequency."""
-    names = ("body_mass", "springs", "tyres")
-    return next(f"mismatch.{name}" for name in names if getattr(scenario.mismatch, name) != 1)
+def _unusual(believed: Vehicle, driven: Vehicle) -> dict[str, dict[str, str]]:
+    """Return by kind what a driven vehicle has outside the usual range, as it is written, by axle."""
+    sags, (low, high) = characteristics(believed).static_sag, BODY_FREQUENCIES
+    unusual: dict[str, dict[str, str]] = {"sag": {}, "body_frequency": {}}
+    for axle, lowered in zip(_AXLES, driven.lowered, strict=True):
+        sag, frequency = getattr(sags, axle) + lowered, _hertz(driven, axle)
+        if round(sag, 3) > LARGEST_SAG:
+            unusual["sag"][axle] = f"{1000 * sag:.0f} mm"
+        if not low <= float(frequency) <= high:
+            unusual["body_frequency"][axle] = f"{frequency} Hz"
+    return {kind: values for kind, values in unusual.items() if values}
 
 
-def _deep_sags(vehicle: Vehicle, lowered: tuple[float, float] = (0.0, 0.0)) -> dict[str, float]:
-    """Return the static sag [m] of each axle that has more than usual; `lowered` comes on top of it, front and rear."""
-    sags = characteristics(vehicle).static_sag
-    sums = {axle: getattr(sags, axle) + more for axle, more in zip(_AXLES, lowered, strict=True)}
-    return {axle: sag for axle, sag in sums.items() if round(sag, 3) > LARGEST_SAG}
+def _hertz(vehicle: Vehicle, axle: str) -> str:
+    """Return the body's natural frequency above an axle [Hz] as it is written, by which it is judged."""
+    return f"{getattr(characteristics(vehicle).natural_frequencies, f'{axle}_body'):.2g}"
 
 
-def _odd_frequencies(vehicle: Vehicle) -> dict[str, float]:
-    """Return the body's natural frequency [Hz] above each axle where it is outside the usual range."""
-    low, high = BODY_FREQUENCIES
-    return {axle: value for axle, value in _frequencies(vehicle).items() if not low <= float(_hertz(value)) <= high}
+def _sentence(kind: str, values: Mapping[str, str], notes: Mapping[str, str] | None = None) -> str:
+    return _SENTENCES[kind].format(_at_axles(values, notes))
 
 
-def _frequencies(vehicle: Vehicle) -> dict[str, float]:
-    """Return the body's natural frequency [Hz] above each axle."""
-    values = characteristics(vehicle).natural_frequencies
-    return {axle: getattr(values, f"{axle}_body") for axle in _AXLES}
+def _at_axles(values: Mapping[str, str], notes: Mapping[str, str] | None = None) -> str:
+    """Return each axle's value, and behind it its note."""
+    return " and ".join(f"{value} at the {axle} axle{(notes or {}).get(axle, '')}" for axle, value in values.items())
 
 
-def _hertz(value: float) -> str:
-    """Return a frequency [Hz] as it is written; what is written decides whether it is usual, too."""
-    return f"{value:.2g}"
-
-
-def _sag_text(sags: Mapping[str, float], frequencies: Mapping[str, float] | None = None) -> str:
-    by_axle = _at_axles({axle: f"{1000 * sag:.0f} mm" for axle, sag in sags.items()}, frequencies)
-    return f"The body's weight compresses the suspension by {by_axle}; usual is less than {1000 * LARGEST_SAG:.0f} mm."
-
-
-def _frequency_text(frequencies: Mapping[str, float]) -> str:
-    low, high = BODY_FREQUENCIES
-    by_axle = _at_axles({axle: f"{_hertz(value)} Hz" for axle, value in frequencies.items()})
-    return f"The body's natural frequency is {by_axle}; usual is {low:g} to {high:g} Hz."
-
-
-def _at_axles(by_axle: Mapping[str, str], frequencies: Mapping[str, float] | None = None) -> str:
-    """Return each axle's value; behind it, where they are given, the body's natural frequency [Hz] above the axle."""
-    notes = {axle: f" ({_hertz(value)} Hz)" for axle, value in (frequencies or {}).items()}
-    return " and ".join(f"{value} at the {axle} axle{notes.get(axle, '')}" for axle, value in by_axle.items())
-
-
-def _is_papers(vehicle: Vehicle, axles: Mapping[str, float]) -> bool:
-    """Check whether everything that decides about the sag of these axles is as in the paper's Table 2."""
-    deciding = ("body_mass", "cg_to_front", "cg_to_rear", *(f"{axle}_spring" for axle in axles))
-    return all(getattr(vehicle, name) == getattr(_PAPERS, name) for name in deciding)
-
-
-def _field(axles: Mapping[str, float]) -> str:
+def _field(axles: Mapping[str, str]) -> str:
     """Return the field to look at for what these axles have."""
     return "vehicle.body_mass" if len(axles) == len(_AXLES) else f"vehicle.{next(iter(axles))}_spring"

@@ -14,7 +14,7 @@ from copy import copy
 from dataclasses import dataclass
 from functools import cache
 from operator import attrgetter
-from typing import Annotated, Any, ClassVar, Self, get_type_hints
+from typing import Any, ClassVar, Self, get_type_hints
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -297,14 +297,9 @@ def option_name(kind: type[Controller], name: str) -> str:
 
 def _option_field(kind: type[Controller], name: str, annotation: Any) -> dotted.DottedField:
     option = kind.options()[name]
-    return dotted.DottedField(
-        name=option_name(kind, name),
-        title=f"{kind.label}: {name.replace('_', ' ')}",
-        unit=option.unit.replace(" ", "·"),
-        kind=dotted.kind_of(annotation),
-        adapter=TypeAdapter(Annotated[annotation, Field(ge=option.ge, le=option.le)], config=dotted.STRICT),
-        default=option.default,
-    )
+    title, unit = f"{kind.label}: {name.replace('_', ' ')}", option.unit.replace(" ", "·")
+    limits: Any = Field(ge=option.ge, le=option.le)
+    return dotted.DottedField.of(option_name(kind, name), title, unit, annotation, limits, option.default)
 
 
 def checked_value(kind: type[Controller], name: str, value: Any) -> Any:

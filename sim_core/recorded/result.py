@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.blas import single_threaded
-from sim_core.catalogue import EVENTS, METRIC_SIGNALS, SIGNALS, WHOLE, WINDOWS
+from sim_core.catalogue import EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, WHOLE, WINDOWS
 from sim_core.errors import RefusedError
 from sim_core.metrics.definition import ByWindow, comfort_metrics, drive_events, window_metrics
 from sim_core.metrics.sampled import TimeSpan, sampled_sums
@@ -74,12 +74,10 @@ def recorded_result(
 def _report(
     found: PlacedRecording, scenario: Scenario, signals: Mapping[str, FloatArray], samples: int, notes: Sequence[str]
 ) -> RecordingReport:
-    placement, position = found.placement, signals["position"]
+    placed = {name: getattr(found.placement, name, None) for name in ("offset", "scale", "likeness", "reference")}
+    position = signals["position"]
     return RecordingReport(
-        offset=placement.offset if placement else None,
-        scale=placement.scale if placement else None,
-        likeness=placement.likeness if placement else None,
-        reference=placement.reference if placement else None,
+        **placed,
         samples=samples,
         start=max(0.0, float(position[0])),
         end=min(scenario.road.length, float(position[-1])),
@@ -117,12 +115,10 @@ def _evaluated(
         comfort=comfort_metrics(sums, metrics, scenario),
         events=events | drive_events(sums, metrics, scenario),
         reference={
+            **dict.fromkeys(REFERENCES),
             "front_static_load": static[0],
             "rear_static_load": static[1],
             "deflection_limit": scenario.mpc.deflection_limit,
-            "force_limit": None,
-            "target_speed": None,
-            "target_band": None,
         },
         stages=_stages(edges, position, time),
         travel_time=sum(sums.durations) if timed else nan,

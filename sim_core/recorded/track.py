@@ -42,29 +42,29 @@ def track_of(signals: Mapping[str, FloatArray], initial: float) -> Track:
         RefusedError: There is neither time nor position.
     """
     time, position, speed = (signals.get(key) for key in ("time", "position", "speed"))
-    if speed is not None and not np.isfinite(speed).any():
-        speed = None
     if time is not None and position is not None:
         return Track(distance=position, time=time, clocked=False, timed=True)
-    assumed = f"It is taken as driven at the initial speed, {initial / KMH:g} km/h: it has no speed"
-    if speed is not None:
-        order = np.arange(len(speed))
-        there = np.isfinite(speed)
-        speed = np.interp(order, order[there], speed[there])
+    speed = None if speed is None else _without_gaps(speed)
+    note = f"It is taken as driven at the initial speed, {initial / KMH:g} km/h: it has no speed"
     if time is not None:
-        if speed is None:
-            return Track(distance=initial * time, time=time, clocked=True, timed=True, notes=(assumed,))
-        distance = _integral(np.maximum(speed, 0.0), time)
-        note = "The distance is integrated from the speed over time"
+        distance = initial * time
+        if speed is not None:
+            distance = _integral(np.maximum(speed, 0.0), time)
+            note = "The distance is integrated from the speed over time"
         return Track(distance=distance, time=time, clocked=True, timed=True, notes=(note,))
     if position is None:
         raise RefusedError("A recording has a time or a distance")
-    if speed is None:
-        return Track(distance=position, time=position / initial, clocked=True, timed=False, notes=(assumed,))
-    each = 1 / np.maximum(speed, SLOWEST)
-    time = _integral(each, position)
-    note = "The time is integrated from the speed over distance"
-    return Track(distance=position, time=time, clocked=True, timed=True, notes=(note,))
+    time = position / initial
+    if speed is not None:
+        time = _integral(1 / np.maximum(speed, SLOWEST), position)
+        note = "The time is integrated from the speed over distance"
+    return Track(distance=position, time=time, clocked=True, timed=speed is not None, notes=(note,))
+
+
+def _without_gaps(values: FloatArray) -> FloatArray | None:
+    """Return values with the missing ones interpolated (n,); None where all are missing."""
+    order, there = np.arange(len(values)), np.isfinite(values)
+    return np.interp(order, order[there], values[there]) if there.any() else None
 
 
 def _integral(values: FloatArray, over: FloatArray) -> FloatArray:

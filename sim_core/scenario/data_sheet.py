@@ -47,7 +47,8 @@ class DataSheet(Part):
             name = str(wrong["loc"][0])
             title = field_texts(Vehicle, name)["title"]
             message = f"The half-car's {title} would be beyond its limits: {wrong['msg']}"
-            raise at(_DECIDES.get(name, name), message) from None
+            words = next((each for each in _DECIDES if each in name), name)
+            raise at(name.replace(words, _DECIDES.get(words, words)), message) from None
         return self
 
     def half_car(self) -> Vehicle:
@@ -83,16 +84,8 @@ class DataSheet(Part):
         return 2 * mass, spring, 2 * ratio * sqrt(together * mass) * (1 + spring / tyre) ** 2
 
 
-# Which field of the sheet decides a field of the half-car, where their names differ.
+# By words of a half-car's field those of the sheet's field that decides it.
 _DECIDES = {
-    "body_mass": "front_axle_load",
-    "pitch_inertia": "wheelbase",
-    "front_wheel_mass": "front_axle_mass",
-    "rear_wheel_mass": "rear_axle_mass",
-    "cg_to_front": "rear_axle_load",
-    "cg_to_rear": "front_axle_load",
-    "front_spring": "front_frequency",
-    "rear_spring": "rear_frequency",
-    "front_damping": "front_damping_ratio",
-    "rear_damping": "rear_damping_ratio",
+    **{"body_mass": "front_axle_load", "cg_to_front": "rear_axle_load", "cg_to_rear": "front_axle_load"},
+    **{"wheel_mass": "axle_mass", "spring": "frequency", "damping": "damping_ratio", "pitch_inertia": "wheelbase"},
 }

@@ -10,13 +10,14 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from copy import copy
 from dataclasses import dataclass
 from functools import cache
-from typing import Annotated, Any, Literal, get_args, get_origin
+from typing import Annotated, Any, Literal, Self, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
+from pydantic.fields import FieldInfo
 
 from sim_core.errors import RefusedError, UnknownNameError
 from sim_core.scenario import Scenario
-from sim_core.scenario.fields import Weight, field_texts
+from sim_core.scenario.fields import WEIGHT, field_texts
 
 Kind = Literal["number", "integer", "switch", "choice", "text", "weights", "data"]
 OWN = "own."
@@ -35,6 +36,13 @@ class DottedField:
     kind: Kind
     adapter: TypeAdapter[Any]
     default: Any = None  # of an option, which a scenario may lack
+
+    @classmethod
+    def of(cls, name: str, title: str, unit: str, annotation: Any, limits: FieldInfo, default: Any = None) -> Self:
+        """Return the field of a type within limits."""
+        annotated: Any = Annotated[annotation, limits]
+        adapter: TypeAdapter[Any] = TypeAdapter(annotated, config=STRICT)
+        return cls(name=name, title=title, unit=unit, kind=kind_of(annotation), adapter=adapter, default=default)
 
     def checked(self, value: Any) -> Any:
         """Return the value as the scenario holds it, in plain JSON types.
@@ -90,7 +98,7 @@ def scenario_fields() -> dict[str, DottedField]:
 
 
 def names_schema(names: Iterable[str]) -> dict[str, Any]:
-    """JSON Schema of a name: one of these, or an option of a controller of one's own."""
+    """Return the JSON Schema of a name: one of these, or an option of a controller of one's own."""
     return {"anyOf": [{"enum": list(names)}, {"pattern": OPTION}]}
 
 
@@ -116,7 +124,7 @@ def _unknown(name: str) -> UnknownNameError:
 
 
 def value(scenario: Mapping[str, Any], name: str) -> Any:
-    """That field's value in a complete plain scenario."""
+    """Return a field's value in a complete plain scenario."""
     if is_option(name):
         _, controller, option = name.split(".")
         options = scenario["own"].get(controller, {})
@@ -133,7 +141,7 @@ def is_within(name: str, part: str) -> bool:
 
 
 def with_changes(scenario: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
-    """A copy of a complete plain scenario with these fields, or whole parts, changed; it shares what is not changed.
+    """Return a copy of a complete plain scenario with these fields or whole parts changed, which shares the others.
 
     The values are not checked: `Scenario.model_validate` does that.
 
@@ -182,19 +190,10 @@ def _walk(model: type[BaseModel], prefix: str) -> Iterator[DottedField]:
             continue
         extra = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
         unit, title = str(extra.get("unit", "1")), field_texts(model, key)["title"]
-        annotated: Any = Annotated[annotation, info]
-        adapter: TypeAdapter[Any] = TypeAdapter(annotated, config=STRICT)
-        kind = kind_of(annotation)
-        yield DottedField(name=name, title=title, unit=unit, kind=kind, adapter=adapter)
+        yield DottedField.of(name, title, unit, annotation, info)
         titles = extra.get("item_titles")
         for index, item_title in enumerate(titles if isinstance(titles, list) else []):
-            yield DottedField(
-                name=f"{name}.{index}",
-                title=f"{title}: {item_title}",
-                unit=unit,
-                kind="number",
-                adapter=TypeAdapter(Weight, config=STRICT),
-            )
+            yield DottedField.of(f"{name}.{index}", f"{title}: {item_title}", unit, float, WEIGHT)
 
 
 def kind_of(annotation: Any) -> Kind:
@@ -204,10 +203,7 @@ def kind_of(annotation: Any) -> Kind:
         return "switch"
     if get_args(annotation) and all(isinstance(each, str) for each in get_args(annotation)):
         return "choice"
-    if str in types:
-        return "text"
-    if float in types:
-        return "number"
-    if int in types:
-        return "integer"
+    kinds: dict[type, Kind] = {str: "text", float: "number", int: "integer"}
+    if (known := next((each for each in kinds if each in types), None)) is not None:
+        return kinds[known]
     return "weights" if get_origin(annotation) is tuple else "data"

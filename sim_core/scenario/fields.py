@@ -107,7 +107,8 @@ def _not_all_zero(weights: tuple[float, float, float]) -> tuple[float, float, fl
     return weights
 
 
-Weight = Annotated[float, Field(ge=0, le=1000)]
+WEIGHT: Any = Field(ge=0, le=1000)
+Weight = Annotated[float, WEIGHT]
 # strict=False on the tuple alone: JSON has arrays only. The numbers inside stay strict.
 Weights = Annotated[
     tuple[Weight, Weight, Weight],

@@ -3,6 +3,7 @@
 It depends on nothing vertical, so it is made once per road and shared by every strategy that drives it.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 from math import ceil
@@ -101,15 +102,8 @@ def make_speed_profile(scenario: Scenario, plan: SpeedPlan) -> SpeedProfile:
 
 @small_cached(256)
 def _constant(speed: float) -> SpeedProfile:
-    two, none = np.array([0.0, SPEED_CONTROL_PERIOD]), np.zeros(2)
-    return SpeedProfile(
-        initial_speed=speed,
-        time=two,
-        position=two * speed,
-        speed=np.full(2, speed),
-        pressure=none,
-        braking=none,
-    )
+    time, none = np.array([0.0, SPEED_CONTROL_PERIOD]), np.zeros(2)
+    return _profile(speed, time, (time * speed, np.full(2, speed), none, none))
 
 
 @cached
@@ -141,11 +135,11 @@ def _planned(
     table = np.ascontiguousarray(rows.T)
     table[2:, -1] = 0.0  # from here on the engine holds the speed, the brakes are off
     time = detection / initial + h * np.arange(table.shape[1], dtype=np.float64)
+    return _profile(initial, time, table)
+
+
+def _profile(initial_speed: float, time: FloatArray, columns: Iterable[FloatArray]) -> SpeedProfile:
+    position, speed, pressure, braking = columns
     return SpeedProfile(
-        initial_speed=initial,
-        time=time,
-        position=table[0],
-        speed=table[1],
-        pressure=table[2],
-        braking=table[3],
+        initial_speed=initial_speed, time=time, position=position, speed=speed, pressure=pressure, braking=braking
     )

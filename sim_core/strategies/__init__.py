@@ -56,10 +56,8 @@ def strategy_named(name: str) -> type[Controller]:
 
 def find_strategy(name: str) -> type[Controller] | None:
     """Return the strategy with that id; None where there is none, or where the files of controllers cannot be used."""
-    if name in STRATEGIES:
-        return STRATEGIES[name]
-    with suppress(ControllerFileError):
-        return named_controllers().get(name)
+    with suppress(UnknownNameError, ControllerFileError):
+        return strategy_named(name)
     return None
 
 

@@ -14,7 +14,14 @@ from sim_core.control.controller import Controller, option_name
 from sim_core.control.declared import ScenarioField
 from sim_core.scenario import Speed, dotted
 from sim_core.strategies import STRATEGIES, reads, resolve_speed_plan
-from sim_core.strategies.reads import MOST_INFORMED, PREVIEW, effective_preview, is_set_by_field, merge_into_parts
+from sim_core.strategies.reads import (
+    MOST_INFORMED,
+    PREVIEWS,
+    effective_preview,
+    fields_read_by,
+    is_set_by_field,
+    merge_into_parts,
+)
 
 _POLICY = "speed.policy"
 _POLICIES = get_args(Speed.model_fields["policy"].annotation)
@@ -139,8 +146,10 @@ def _road_rules(strategy: type[Controller]) -> dict[str, Alternatives]:
 
 def _preview_rules(strategy: type[Controller]) -> dict[str, Alternatives]:
     """Return the rules for what the strategy itself previews."""
-    modes = {name: [mode for mode, names in PREVIEW.items() if name in names] for name in PREVIEW[MOST_INFORMED]}
-    needs = {name: _previews(strategy, *those) for name, those in modes.items()}
+    needs = {
+        name: _previews(strategy, *(mode for mode in PREVIEWS if name in fields_read_by(mode)))
+        for name in fields_read_by(MOST_INFORMED)
+    }
     braking = [policy for policy in _POLICIES if resolve_speed_plan(strategy, policy) == "planned"]
     needs[_DETECTION] = _any(_braking_at(braking), needs[_DETECTION])
     return needs | {_KNOWS_PREVIEW: _all(_filtered(strategy), needs[_KNOWS_PREVIEW])}

@@ -4,9 +4,11 @@ What a drive looks at can be recorded (`sim_core.scenario.access`); `check_contr
 """
 
 import inspect
+from collections.abc import Iterator
 from contextlib import suppress
 from functools import cache
-from typing import Any
+from itertools import chain
+from typing import Any, get_args
 
 from pydantic import BaseModel
 
@@ -15,49 +17,12 @@ from sim_core.control.declared import ScenarioField, own_values
 from sim_core.errors import RidelabError
 from sim_core.scenario import Preview, Scenario
 from sim_core.scenario.dotted import OWN
+from sim_core.scenario.fields import field_texts
 from sim_core.speed.profile import SpeedPlan
 
-EVERY_RUN = (
-    "vehicle",
-    "road",
-    "speed.initial_speed_kmh",
-    "mpc.deflection_limit",
-    "mismatch.body_mass",
-    "mismatch.springs",
-    "mismatch.damping",
-    "mismatch.tyres",
-    "mismatch.rebound_ratio",
-)
-SPEED_PLAN = ("speed.target_speed_kmh", "speed.detection_distance", "speed.controller", "fuzzy", "brake")
-ACTUATORS = (
-    "actuator",
-    "estimation.kind",
-    "estimation.acceleration_noise",
-    "estimation.deflection_noise",
-    "estimation.pitch_rate_noise",
-    "mpc.sample_time",
-    "mpc.force_limit",
-)
-SENSORS_AHEAD = (
-    "estimation.knows_preview",
-    "mismatch.preview_offset",
-    "mismatch.preview_gain",
-    "mismatch.preview_resolution",
-    "mismatch.preview_delay",
-    "speed.detection_distance",
-)
-PREVIEW: dict[Preview, tuple[str, ...]] = {
-    "none": (),
-    "wheelbase": ("estimation.knows_preview",),
-    "obstacle": SENSORS_AHEAD,
-    "lookahead": (*SENSORS_AHEAD, "mismatch.preview_noise", "mpc.expected_offset", "mpc.expected_noise"),
-}
+PREVIEWS: tuple[Preview, ...] = get_args(Preview)
 MOST_INFORMED: Preview = "lookahead"
-CLASS_ATTRIBUTES = (
-    "speed_plan",
-    "actuated",
-    "delayed",
-)  # decide what is read: the same for all objects of a class
+CLASS_ATTRIBUTES = "speed_plan", "actuated", "delayed"  # decide what is read: the same for all objects of a class
 
 
 def effective_preview(strategy: type[Controller], scenario: Scenario | None = None) -> Preview:
@@ -75,7 +40,7 @@ def effective_preview(strategy: type[Controller], scenario: Scenario | None = No
     elif scenario is not None:
         with suppress(RidelabError):  # what it refuses has a key, too: its failure is stored
             preview = strategy().for_scenario(scenario).preview
-    return preview if preview in PREVIEW else MOST_INFORMED
+    return preview if preview in PREVIEWS else MOST_INFORMED
 
 
 def preview_varies_at_runtime(strategy: type[Controller]) -> bool:
@@ -100,14 +65,26 @@ def dependencies(strategy: type[Controller], plan: SpeedPlan, preview: Preview) 
         plan: Its speed plan.
         preview: What it previews.
     """
-    names = [*EVERY_RUN, *(each.name for each in strategy.declared.values() if isinstance(each, ScenarioField))]
-    if strategy.actuated:
-        names += ACTUATORS
-    names += PREVIEW[preview]
-    if plan == "planned":
-        names += SPEED_PLAN
+    readers = ["every_run", preview, *["actuators"] * strategy.actuated, *["speed_plan"] * (plan == "planned")]
+    declared = [each.name for each in strategy.declared.values() if isinstance(each, ScenarioField)]
+    names = chain(declared, *map(fields_read_by, readers))
     options = (f"{OWN}{strategy.id}",) if strategy.options() else ()
     return (*merge_into_parts(frozenset(names)), *options)
+
+
+@cache
+def fields_read_by(reader: str) -> tuple[str, ...]:
+    """Return the dotted names of the fields and whole parts that a reader of fields.toml reads, such as `every_run`."""
+    return tuple(_read_by(reader, Scenario, ""))
+
+
+def _read_by(reader: str, part: type[BaseModel], prefix: str) -> Iterator[str]:
+    for name, info in part.model_fields.items():
+        kind: Any = info.annotation
+        if reader in field_texts(part, name).get("read_by", "").split():
+            yield f"{prefix}{name}"
+        elif isinstance(kind, type) and issubclass(kind, BaseModel):
+            yield from _read_by(reader, kind, f"{prefix}{name}.")
 
 
 @cache

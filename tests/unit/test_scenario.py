@@ -119,7 +119,9 @@ def test_every_text_of_a_field_is_of_one_that_there_is() -> None:
     assert texts.keys() <= parts.keys()
     for part, named in texts.items():
         assert named.keys() - {"*"} <= parts[part]["properties"].keys(), part
-        assert all(text.keys() <= {"title", "description", "note", "search_words"} for text in named.values()), part
+        assert all(
+            text.keys() <= {"title", "description", "note", "search_words", "read_by"} for text in named.values()
+        ), part
 
 
 def test_the_schema_describes_each_part_and_the_scenario_in_a_line() -> None:
