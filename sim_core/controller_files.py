@@ -12,7 +12,6 @@ import os
 import sys
 import traceback
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import cache
 from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
@@ -57,13 +56,7 @@ CODE_ERRORS = (
 _DECODING_ERRORS = (UnicodeError, json.JSONDecodeError)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Loaded:
-    signature: Signature
-    controllers: Controllers
-
-
-_loaded: dict[Path, _Loaded] = {}
+_loaded: dict[Path, tuple[Signature, Controllers]] = {}
 
 
 def load_controllers(file: str | Path) -> Controllers:
@@ -99,16 +92,17 @@ def load_controllers(file: str | Path) -> Controllers:
         (['nothing'], 0)
     """
     path = Path(file).absolute()
-    loaded = _loaded.get(path)
-    if loaded is None or loaded.signature != signature(path, files_of(loaded.controllers)):
+    before, controllers = _loaded.get(path, (None, {}))
+    if before != signature(path, files_of(controllers)):
         controllers = run_anew(path)
-        loaded = _loaded[path] = _Loaded(signature=signature(path, files_of(controllers)), controllers=controllers)
-    return dict(loaded.controllers)
+        _loaded[path] = signature(path, files_of(controllers)), controllers
+    return dict(controllers)
 
 
 def run_anew(path: Path) -> Controllers:
-    """Return the controllers of a file that is run again although it has not changed; raises ControllerFileError."""
-    return LOADERS.get(path.suffix, _run)(path)
+    """Return the controllers of a file that is run again although it has not changed; raise ControllerFileError."""
+    source = _read(path)
+    return _with_digest(path, LOADERS.get(path.suffix, _run)(path, source), source)
 
 
 def named_controllers() -> Controllers:
@@ -168,10 +162,12 @@ def load(source: str) -> Controllers:
     except (Exception, SystemExit) as error:
         raise file_error(error, source) from error
     if isinstance(loaded, ModuleType):
-        return _with_digest(Path(str(loaded.__file__)), _controllers(Path(str(loaded.__file__)), loaded))
+        path = Path(str(loaded.__file__))
+        return _with_digest(path, _controllers(path, loaded), _read(path))
     if not (isinstance(loaded, type) and issubclass(loaded, Controller) and loaded.id):
         raise ControllerCodeError(f"{source}: it names no module and no class derived from sim_core.Controller")
-    return _with_digest(Path(inspect.getfile(loaded)), {loaded.id: loaded})
+    path = Path(inspect.getfile(loaded))
+    return _with_digest(path, {loaded.id: loaded}, _read(path))
 
 
 @cache
@@ -211,9 +207,8 @@ def _files(path: Path, names: Iterable[str]) -> list[Path]:
     return [path, *(path.parent / name for name in sorted(names))]
 
 
-def _run(path: Path) -> Controllers:
-    """Run a Python file."""
-    source = _read(path)
+def _run(path: Path, source: bytes) -> Controllers:
+    """Return the controllers of a Python file, which is run."""
     module = ModuleType(f"{_PREFIX}{hashlib.sha256(os.fsencode(path) + source).hexdigest()[:16]}")
     module.__file__ = str(path)
     sys.modules[module.__name__] = module  # where `inspect` and the types of options look for it
@@ -221,27 +216,24 @@ def _run(path: Path) -> Controllers:
         exec(compile(source, str(path), "exec"), vars(module))  # noqa: S102 - it is what was asked for
     except (Exception, SystemExit) as error:
         raise file_error(error, path) from error
-    return _with_digest(path, _controllers(path, module), source)
+    return _controllers(path, module)
 
 
-def _fmu(path: Path) -> Controllers:
-    content = _read(path)
+def _fmu(path: Path, content: bytes) -> Controllers:
     try:
-        return _with_digest(path, controllers_of_fmu(path, content), content)
+        return controllers_of_fmu(path, content)
     except RidelabError as error:
         kind = ControllerCodeError if isinstance(error, RefusedError) else ControllerFileError
         raise kind(f"{path}: {error.message}") from None
 
 
-# What loads a file, by its suffix: a further kind of controller needs a function that gives its classes, each with a
-# `file_digest`, and nothing else.
-LOADERS: dict[str, Callable[[Path], Controllers]] = {".py": _run, ".fmu": _fmu}
+# What loads a file of some bytes, by its suffix: a further kind of controller needs a function that gives its classes.
+LOADERS: dict[str, Callable[[Path, bytes], Controllers]] = {".py": _run, ".fmu": _fmu}
 
 
-def _with_digest(path: Path, controllers: Controllers, source: bytes | None = None) -> Controllers:
+def _with_digest(path: Path, controllers: Controllers, source: bytes) -> Controllers:
     """Return the same controllers, which know the digest of their file and of those that they read."""
-    others = _files(path, files_of(controllers))[1:]
-    contents = [_read(path) if source is None else source, *map(_read, others)]
+    contents = [source, *map(_read, _files(path, files_of(controllers))[1:])]
     digests = b"".join(hashlib.sha256(content).digest() for content in contents)
     for controller in controllers.values():
         controller.file_digest = hashlib.sha256(digests).hexdigest()

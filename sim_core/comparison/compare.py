@@ -7,13 +7,15 @@ from typing import Any
 
 from sim_core.comparison.caution import Caution
 from sim_core.comparison.change import Change
-from sim_core.comparison.difference_cautions import difference_cautions
 from sim_core.comparison.rows import LOWER_IS_BETTER, Row, changes_between, labels_of, row_of
 from sim_core.comparison.vehicle_cautions import scenario_cautions
-from sim_core.comparison.verdict import Verdict, verdict_on
+from sim_core.comparison.verdict import Verdict, begin_sentence, verdict_on
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
+
+MOST_FIELDS = 3  # that one sentence names
+_TUNED = "fuzzy", "mpc", "lqr", "hook", "own"  # what belongs to a strategy: to compare two of them is no fault
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -112,8 +114,40 @@ def _differences(
     reference = next(row.label for row in rows if row.key == baseline)
     for row in rows:
         pairs = zip(by_road[row.key], by_road[baseline], strict=True)
-        cautions = (difference_cautions(one.scenario, other.scenario, row, reference) for one, other in pairs)
+        cautions = (_differences_of(one.scenario, other.scenario, row, reference) for one, other in pairs)
         yield from next((each for each in cautions if each), ())
+
+
+def _differences_of(scenario: Scenario, reference: Scenario, row: Row, baseline: str) -> list[Caution]:
+    """Return the warnings of a result whose scenario is not that of the baseline's result, which has that label.
+
+    A controller's own parameters may differ.
+    """
+    fields = list(_different(scenario.model_dump(), reference.model_dump()))
+    roads = [field for field in fields if field.startswith("road.")]
+    others = [field for field in fields if field.partition(".")[0] not in ("road", *_TUNED)]
+    cautions = []
+    for kind, where, differing, hint in (
+        ("other_road", "on another road", roads, "comes from the road"),
+        ("other_scenario", "in another scenario", others, "may come from that"),
+    ):
+        if differing:
+            more = len(differing) - MOST_FIELDS
+            named = ", ".join(differing[:MOST_FIELDS]) + (f" and {more} more" if more > 0 else "")
+            driven = f"{begin_sentence(row.label)} was driven {where} than {baseline} ({named})"
+            text = f"{driven}: part of a difference {hint}."
+            cautions.append(Caution(kind=kind, text=text, field=differing[0], strategy=row.key))
+    return cautions
+
+
+def _different(one: Mapping[str, Any], other: Mapping[str, Any], part: str = "") -> Iterator[str]:
+    """Return the dotted names of the fields in which two scenarios differ."""
+    for name in dict.fromkeys([*one, *other]):
+        value, reference = one.get(name), other.get(name)
+        if isinstance(value, Mapping) and isinstance(reference, Mapping):
+            yield from _different(value, reference, f"{part}{name}.")
+        elif value != reference:
+            yield f"{part}{name}"
 
 
 def compare_summaries(

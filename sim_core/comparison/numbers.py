@@ -11,7 +11,7 @@ _THIN, _NARROW = "\u2009", "\u202f"
 
 
 def pretty_unit(unit: str) -> str:
-    """`kg·m^2` → `kg·m²`; the unit of a plain number, `1`, is empty."""
+    """Return a unit as it is written: `kg·m²` for `kg·m^2`; that of a plain number, `1`, is empty."""
     if unit == "1":
         return ""
     head, *powers = unit.split("^")
@@ -22,7 +22,7 @@ def pretty_unit(unit: str) -> str:
 
 
 def significant(value: float, digits: int = 3) -> str:
-    """So many significant digits, without an exponent while that stays readable."""
+    """Return so many significant digits, without an exponent while that stays readable."""
     if not isfinite(value):
         return NO_VALUE
     if abs(value) < NOTHING:
@@ -30,8 +30,7 @@ def significant(value: float, digits: int = 3) -> str:
     size = floor(log10(abs(float(f"{value:.{digits - 1}e}"))))
     if not -4 <= size <= 7:
         return _power(value, f"{digits}")
-    text = _minus(f"{value:.{max(0, digits - 1 - size)}f}")
-    return _grouped(text) if size >= 4 else text
+    return _typeset(f"{value:{',' if size >= 4 else ''}.{max(0, digits - 1 - size)}f}")
 
 
 def exact(value: float) -> str:
@@ -40,8 +39,7 @@ def exact(value: float) -> str:
         return "0"
     if not 1e-4 <= abs(value) < 1e9:
         return _power(value, "10")
-    text = _minus(f"{value:.10g}")
-    return _grouped(text) if abs(value) >= 10_000 and value == int(value) else text
+    return _typeset(f"{value:{',' if abs(value) >= 10_000 and value == int(value) else ''}.10g}")
 
 
 def with_unit(text: str, unit: str) -> str:
@@ -51,7 +49,7 @@ def with_unit(text: str, unit: str) -> str:
 
 
 def percent(change: float, half: float = 0.0) -> str:
-    """`−43.7 %`: a sign unless it is 0, one decimal up to 100 %, none beyond; `−44 ± 2 %` with half an interval."""
+    """Return `−43.7 %`: with a sign unless it is 0, a decimal below 100 %; with half an interval `−44 ± 2 %`."""
     if not isfinite(change):
         return NO_VALUE
     size, sign = abs(change), "−" if change < 0 else "+"
@@ -81,8 +79,7 @@ def in_words(value: Any) -> str:
     if not isinstance(value, int | float):
         return NO_VALUE
     if float(value).is_integer() and abs(value) < 1e15:
-        text = _minus(str(int(value)))
-        return _grouped(text) if abs(value) >= 10_000 else text
+        return _typeset(f"{int(value):{',' if abs(value) >= 10_000 else ''}}")
     return significant(value)
 
 
@@ -94,15 +91,9 @@ def amount(value: float, unit: str) -> str:
 def _power(value: float, digits: str) -> str:
     mantissa, _, exponent = f"{value:.{int(digits) - 1}e}".partition("e")
     short = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
-    return _minus(f"{short}×10{str(int(exponent)).translate(_RAISED)}")
+    return _typeset(f"{short}×10{str(int(exponent)).translate(_RAISED)}")
 
 
-def _minus(text: str) -> str:
-    """Return a real minus sign, which is as wide as a plus."""
-    return f"−{text[1:]}" if text.startswith("-") else text
-
-
-def _grouped(text: str) -> str:
-    sign, digits = ("−", text[1:]) if text.startswith("−") else ("", text)
-    whole, point, rest = digits.partition(".")
-    return sign + f"{int(whole):,}".replace(",", _NARROW) + point + rest
+def _typeset(text: str) -> str:
+    """Return a number with real minus signs, which are as wide as a plus, and narrow spaces between thousands."""
+    return text.replace("-", "−").replace(",", _NARROW)

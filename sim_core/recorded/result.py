@@ -18,11 +18,12 @@ from sim_core.recorded.kink_peaks import peaks_at_kinks
 from sim_core.recorded.offsets import describe_offsets, without_gravity
 from sim_core.recorded.placing import PlacedRecording, place_recording
 from sim_core.recorded.track import track_of
-from sim_core.result import RecordingReport, Series, Span, StrategyResult, no_columns
+from sim_core.result import RecordingReport, Series, StrategyResult, no_columns
 from sim_core.scenario import Scenario
 from sim_core.scenario.parts import KMH
 from sim_core.scenario.recorded import LONGEST, PREFIX, RecordedDrive
 from sim_core.simulate import simulate
+from sim_core.speed.stages import make_spans
 
 END_TOLERANCE = 0.5  # what a recording may lack at either end of the road [m]
 
@@ -97,6 +98,7 @@ def _evaluated(
     """Return the result, and what to say of metrics that are missing or known less well than a run's."""
     road, position, time, vehicle = scenario.road, signals["position"], signals["time"], scenario.real_vehicle
     edges = [0.0, scenario.bump_start, min(scenario.bump_left, road.length), road.length]
+    ends = np.clip(edges, position[0], position[-1]).tolist()
     sections = [_times(start, stop, position, time) for start, stop in pairwise(edges)]
     static = vehicle.static_loads
     sums = sampled_sums(signals, sections, static, vehicle.stop_clearances)
@@ -120,7 +122,7 @@ def _evaluated(
             "rear_static_load": static[1],
             "deflection_limit": scenario.mpc.deflection_limit,
         },
-        stages=_stages(edges, position, time),
+        stages=make_spans(("cruise", "bump", "cruise"), ends, np.interp(ends, position, time).tolist()),
         travel_time=sum(sums.durations) if timed else nan,
         arrival_speed_kmh=arrival / KMH,
         series=Series({key: values[on_road] for key, values in signals.items()}, no_columns),
@@ -187,15 +189,3 @@ def _speed_at(place: float, signals: Mapping[str, FloatArray]) -> float:
     around = np.clip([place - 0.5, place + 0.5], position[0], position[-1])
     begin, end = np.interp(around, position, time)
     return float((around[1] - around[0]) / (end - begin)) if end > begin else nan
-
-
-def _stages(edges: list[float], position: FloatArray, time: FloatArray) -> tuple[Span, ...]:
-    """Return cruise, bump and cruise again, as far as they were recorded."""
-    within = np.clip(edges, position[0], position[-1]).tolist()
-    names = "cruise", "bump", "cruise"
-    at = np.interp(within, position, time).tolist()
-    return tuple(
-        Span(stage=stage, start_time=t0, end_time=t1, start_position=x0, end_position=x1)
-        for stage, (x0, x1), (t0, t1) in zip(names, pairwise(within), pairwise(at), strict=True)
-        if x1 > x0
-    )

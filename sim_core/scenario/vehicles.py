@@ -7,7 +7,6 @@ A whole car's masses and inertia are halved, springs, dampers and tyres are one 
 import tomllib
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
 from pydantic import BaseModel
 
@@ -38,51 +37,19 @@ def one_track(whole_car: Mapping[str, float]) -> Vehicle:
     return Vehicle.model_validate(half)
 
 
-def loaded(vehicle: Vehicle, mass: float, behind_front_axle: float, length: float) -> Vehicle:
-    """Return the vehicle with a load spread evenly along its body, at the height of the body's centre of gravity.
-
-    Centre of gravity and pitch inertia are those of both bodies together (parallel axis theorem).
-
-    Args:
-        vehicle: Without it.
-        mass: Of the load [kg].
-        behind_front_axle: Where its middle is [m].
-        length: Over which it is spread [m].
-    """
-    total = vehicle.body_mass + mass
-    to_front = (vehicle.body_mass * vehicle.cg_to_front + mass * behind_front_axle) / total
-    distance = behind_front_axle - vehicle.cg_to_front
-    inertia = vehicle.pitch_inertia + vehicle.body_mass * mass / total * distance**2 + mass * length**2 / 12
-    changes = {
-        "body_mass": total,
-        "pitch_inertia": inertia,
-        "cg_to_front": to_front,
-        "cg_to_rear": vehicle.wheelbase - to_front,
-    }
-    return vehicle.model_copy(update={name: _rounded(value) for name, value in changes.items()})
-
-
 def _rounded(value: float) -> float:
     return float(f"{value:.5g}")
 
 
-def _vehicles() -> dict[str, VehiclePreset]:
-    data: dict[str, Any] = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
-    presets: dict[str, VehiclePreset] = {}
-    for name, entry in data["vehicles"].items():
-        if "load" in entry:
-            vehicle = loaded(presets[entry["empty"]].vehicle, *entry["load"])
-        else:
-            vehicle = one_track(entry["whole_car"])
-        presets[name] = VehiclePreset(
-            id=name,
-            label=entry["label"],
-            description=entry["description"],
-            vehicle=vehicle,
-            sources=tuple(text for source in entry["sources"] for text in data["sources"][source]),
-            derived=(_HALVED_IN_WORDS, *entry.get("derived", ())),
-        )
-    return presets
-
-
-VEHICLES = _vehicles()
+_TABLE = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+VEHICLES = {
+    name: VehiclePreset(
+        id=name,
+        label=entry["label"],
+        description=entry["description"],
+        vehicle=one_track(entry["whole_car"]),
+        sources=tuple(text for source in entry["sources"] for text in _TABLE["sources"][source]),
+        derived=(_HALVED_IN_WORDS, *entry.get("derived", ())),
+    )
+    for name, entry in _TABLE["vehicles"].items()
+}

@@ -4,6 +4,8 @@ They follow the bump's geometry, also at height 0: cruise, brake from the detect
 axles have left it, cruise again. A car at constant speed has no brake stage; a road without a bump has cruise alone.
 """
 
+from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 from sim_core.arrays import FloatArray
@@ -22,23 +24,21 @@ class Segment(NamedTuple):
 
 def spans(scenario: Scenario, plan: SpeedPlan, profile: SpeedProfile) -> tuple[Span, ...]:
     """Return the stages from x = 0 to the road's end, without gaps and without empty ones."""
-    end = scenario.road.length
-    edges = [("cruise", 0.0)]
+    stages, edges = ["cruise", "bump", "cruise"], [0.0, scenario.bump_start, scenario.bump_left, scenario.road.length]
     if plan == "planned":
-        edges.append(("brake", scenario.braking_start))
-    edges.append(("bump", scenario.bump_start))
-    edges.append(("cruise", scenario.bump_left))
-    stops = [min(position, end) for _, position in edges[1:]] + [end]
+        stages.insert(1, "brake")
+        edges.insert(1, scenario.braking_start)
+    positions = [min(each, scenario.road.length) for each in edges]
+    return make_spans(stages, positions, [profile.time_at(each) for each in positions])
+
+
+def make_spans(stages: Sequence[str], positions: Sequence[float], times: Sequence[float]) -> tuple[Span, ...]:
+    """Return stages between positions [m] and times [s], of which there is one more; empty ones are left out."""
+    ends = zip(stages, pairwise(positions), pairwise(times), strict=True)
     return tuple(
-        Span(
-            stage=stage,
-            start_time=profile.time_at(start),
-            end_time=profile.time_at(stop),
-            start_position=start,
-            end_position=stop,
-        )
-        for (stage, start), stop in zip(edges, stops, strict=True)
-        if stop > start
+        Span(stage=stage, start_time=t0, end_time=t1, start_position=x0, end_position=x1)
+        for stage, (x0, x1), (t0, t1) in ends
+        if x1 > x0
     )
 
 

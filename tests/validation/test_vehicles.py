@@ -7,7 +7,7 @@ from pydantic import ValidationError
 from sim_core import Scenario, Vehicle, characteristics, simulate
 from sim_core.scenario.data_sheet import DataSheet
 from sim_core.scenario.vehicle import GRAVITY
-from sim_core.scenario.vehicles import VEHICLES, loaded
+from sim_core.scenario.vehicles import VEHICLES
 from sim_core.vehicle.half_car import half_car
 
 POUND, FOOT = 4.4482216152605, 0.3048  # [N, m]
@@ -54,13 +54,15 @@ def test_the_suvs_springs_carry_what_their_preload_says() -> None:
     assert car.rear_tyre_stiffness == car.front_tyre_stiffness
 
 
-def test_a_load_adds_up() -> None:
-    """A rigid rod of 100 kg, 2 m long, 1 m behind the centre of gravity of a body of 300 kg: by hand."""
-    car = Vehicle(body_mass=300, pitch_inertia=200, cg_to_front=1, cg_to_rear=2)
-    full = loaded(car, 100, 2, 2)
-    assert (full.body_mass, full.cg_to_front, full.cg_to_rear) == pytest.approx((400, 1.25, 1.75))
-    assert full.pitch_inertia == pytest.approx(200 + 300 * 0.25**2 + 100 * 0.75**2 + 100 * 4 / 12, rel=1e-4)
-    assert loaded(car, 0, 2, 2) == car
+def test_the_loaded_van_is_the_empty_one_with_a_load_2_m_long_between_its_axles() -> None:
+    empty, full, load = VEHICLES["van"].vehicle, VEHICLES["van_loaded"].vehicle, 887 / 2
+    mass, middle = empty.body_mass + load, empty.wheelbase / 2
+    to_front = (empty.body_mass * empty.cg_to_front + load * middle) / mass
+    own = empty.pitch_inertia + empty.body_mass * (empty.cg_to_front - to_front) ** 2
+    inertia = own + load * (middle - to_front) ** 2 + load * 2**2 / 12
+    changes = {"body_mass": mass, "pitch_inertia": inertia, "cg_to_front": to_front}
+    changes["cg_to_rear"] = empty.wheelbase - to_front
+    assert full == empty.model_copy(update={name: float(f"{value:.5g}") for name, value in changes.items()})
 
 
 @pytest.mark.parametrize("name", VEHICLES)
