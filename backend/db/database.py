@@ -251,7 +251,8 @@ class RowStore:
 class _RetryingThreads:
     """Threads for one kind of transaction, which retry while SQLite is locked, and after a deadlock on PostgreSQL.
 
-    What queued behind one that waited in vain fails with it: else each would wait as long, one after the other.
+    What queued behind one that waited in vain fails with it, and while a server is silent one at a time asks it: else
+    each would wait as long, one after the other.
     """
 
     def __init__(self, name: str, threads: int, locked_by_us: Callable[[float], bool]) -> None:
@@ -260,6 +261,7 @@ class _RetryingThreads:
         self._locked_by_us = locked_by_us
         self._timed_out_at = 0.0
         self._timed_out: type[DatabaseLockedError | SilentServerError] = DatabaseLockedError
+        self._asking_silent = threading.Lock()
 
     async def run(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
         """Call a method of one transaction, and again while SQLite is locked or after a deadlock, which rolls it back.
@@ -269,11 +271,22 @@ class _RetryingThreads:
             SilentServerError: One before it got no answer.
         """
         submitted, work = time.monotonic(), partial(method, *args, **kwargs)
-        return await asyncio.get_running_loop().run_in_executor(self._threads, self._call, work, submitted)
+        call = self._ask_silent_server if self._timed_out is SilentServerError else self._call
+        return await asyncio.get_running_loop().run_in_executor(self._threads, call, work, submitted)
 
     def close(self) -> None:
         """Wait for the threads to end."""
         self._threads.shutdown()
+
+    def _ask_silent_server(self, method: Callable[[], T], submitted: float) -> T:
+        if not self._asking_silent.acquire(blocking=False):
+            raise self._timed_out
+        try:
+            answer = self._call(method, submitted)
+            self._timed_out = DatabaseLockedError
+            return answer
+        finally:
+            self._asking_silent.release()
 
     def _call(self, method: Callable[[], T], submitted: float) -> T:
         end, deadlocks = time.monotonic() + LOCK_TIMEOUT, 0

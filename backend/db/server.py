@@ -7,8 +7,8 @@ from sqlalchemy import URL, Connection, Engine, create_engine, event
 from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
 
 APPLICATION = "ridelab-"  # a service's connections have this and a random part as their name
-USER_TIMEOUT = 12_000  # for which what was sent may stay unacknowledged (TCP_USER_TIMEOUT, RFC 5482) [ms]
-KEEPALIVES = {"idle": 8, "interval": 3, "count": 3}  # who hears nothing for so long ends the connection [s, s, 1]
+# Who hears nothing for so long ends the connection [s, s, 1]; what was sent may stay unacknowledged for so long [ms].
+KEEPALIVES = {"keepalives_idle": 8, "keepalives_interval": 3, "keepalives_count": 3, "tcp_user_timeout": 12_000}
 DEADLOCK = "40P01"  # a SQLSTATE
 LARGE_TIMEOUT = 3600.0  # for an answer to a statement of a large transaction [s]
 # The server's: a statement of an ordinary transaction, and a pause within one, may take so long. What a transaction
@@ -29,11 +29,7 @@ class SilentServerError(OperationalError):
 
 def server_engine(url: URL) -> Engine:
     """Connections to a server. A transaction with the option `large` may take as long as it needs."""
-    own = {
-        "tcp_user_timeout": USER_TIMEOUT,
-        **{f"keepalives_{name}": value for name, value in KEEPALIVES.items()},
-        "application_name": f"{APPLICATION}{secrets.token_hex(8)}",
-    }
+    own = {**KEEPALIVES, "application_name": f"{APPLICATION}{secrets.token_hex(8)}"}
     engine = create_engine(url, pool_pre_ping=True, connect_args=own)
     event.listen(engine, "do_connect", _connect)
     event.listen(engine, "connect", _set_up)
@@ -59,9 +55,8 @@ def _connect(_dialect: Any, _record: Any, arguments: list[Any], named: dict[str,
 
 
 def _set_up(connection: Any, _: object) -> None:
-    keepalives = {f"tcp_keepalives_{name}": value for name, value in KEEPALIVES.items()}
     with connection.cursor() as cursor:
-        cursor.execute("; ".join(f"SET {name} = {value}" for name, value in (keepalives | SERVER_LIMITS).items()))
+        cursor.execute("; ".join(f"SET {name} = {value}" for name, value in SERVER_LIMITS.items()))
     connection.commit()
 
 

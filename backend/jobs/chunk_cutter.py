@@ -26,9 +26,9 @@ class RunningJob:
         job: The stored job as it was at the start.
         kind: What is computed of its runs.
         group: Cancels all its chunks together.
-        order: Positions of its runs in the order in which they are computed.
-        sent: How many of them are sent or need not be.
-        returned: Chunks to send again before new ones are cut.
+        order: Positions of the runs that waited at the start, in the order in which they are computed.
+        sent: How many of them are sent.
+        to_resend: Chunks to send again before new ones are cut.
         open_chunks: Chunks sent and not yet stored.
         last_send: Number of its last chunk among all chunks sent.
         run_seconds: Mean time of a run in the chunks so far [s].
@@ -40,7 +40,7 @@ class RunningJob:
     group: str = field(default_factory=digest.random_id)
     order: NDArray[np.intp]
     sent: int = 0
-    returned: list[list[JobRun]] = field(default_factory=list)
+    to_resend: list[list[JobRun]] = field(default_factory=list)
     open_chunks: int = 0
     last_send: int = 0
     run_seconds: float | None = None
@@ -55,26 +55,19 @@ class RunningJob:
 
     async def next_chunk(self, store: Store, max_chunks: int) -> list[JobRun]:
         """Return the next chunk, where all jobs have at most `max_chunks` open; empty where no run is left."""
-        if self.returned:
-            return self.returned.pop(0)
-        size = looked = self.size(max_chunks)
-        while self.sent < len(self.order):
-            next_ones = self.order[self.sent : self.sent + looked].tolist()
-            waiting = await store.read(store.job_runs.waiting, self.job.id, next_ones)
-            by_position = {run.position: run for run in waiting}
-            runs = [by_position[each] for each in next_ones if each in by_position][:size]
-            if len(runs) < len(waiting):
-                self.sent += next_ones.index(runs[-1].position) + 1
-            else:
-                self.sent += len(next_ones)
-            if runs:
-                return runs
-            looked = min(2 * looked, LONGEST_CHUNK)  # much of a job that goes on is done already
+        if self.to_resend:
+            return self.to_resend.pop(0)
+        size = self.size(max_chunks)
+        while next_ones := self.order[self.sent : self.sent + size].tolist():
+            self.sent += len(next_ones)
+            waiting = {run.position: run for run in await store.read(store.job_runs.waiting, self.job.id, next_ones)}
+            if waiting:
+                return [waiting[each] for each in next_ones if each in waiting]
         return []
 
     def take_back(self, *chunks: list[JobRun]) -> None:
         """Send these chunks again."""
-        self.returned += [chunk for chunk in chunks if chunk]
+        self.to_resend += [chunk for chunk in chunks if chunk]
 
     def halve(self, runs: list[JobRun]) -> bool:
         """Send a chunk that failed again as two halves; False where it is a single run."""

@@ -42,15 +42,16 @@ class Dispatch:
         store: Of the service.
         workers: Processes that give runs their keys.
         timeout: A whole chunk may take so long [s].
+        chunk_ended: Is set when one has come back, or was stored.
     """
 
-    def __init__(self, store: Store, workers: Workers, timeout: float) -> None:
+    def __init__(self, store: Store, workers: Workers, timeout: float, chunk_ended: asyncio.Event) -> None:
         self._store = store
         self._workers = workers
         self._timeout = timeout
         self._computing: set[asyncio.Task[None]] = set()
         self._committing: set[asyncio.Task[None]] = set()
-        self.returned = asyncio.Event()  # one came back
+        self._chunk_ended = chunk_ended
         self.obstacle: str | None = None  # why nothing is computed, since the last that came back with results
         self.progressed = time.monotonic()  # when one came back with results, or none was there to send
 
@@ -86,7 +87,7 @@ class Dispatch:
             elif await self._retry(running, runs, outcome):
                 return
             else:
-                computed, failures = [], dict.fromkeys((run.position for run in runs), _reason(outcome))
+                computed, failures = [], {run.position: REASONS[outcome.error or "bug"] for run in runs}
             _keep(self._committing, self._commit(running, computed, failures))
             committing = True
         finally:
@@ -163,7 +164,7 @@ class Dispatch:
     async def _commit(self, running: RunningJob, computed: Sequence[Outcome], failures: Mapping[int, str]) -> None:
         """Store a chunk's results, and wait for the database as long as it is away."""
         try:
-            new, failed = await self._save(running.job.id, computed, failures)
+            new, failed = await self._save(running.job, computed, failures)
         finally:
             self._end(running)
         stored = [run for run in computed if run.key in new]  # not what was sent again while it waited for the database
@@ -172,16 +173,16 @@ class Dispatch:
         metrics.count_runs("batch", "failed", refused + failed)
 
     async def _save(
-        self, job_id: str, computed: Sequence[Outcome], failures: Mapping[int, str]
+        self, job: StoredJob, computed: Sequence[Outcome], failures: Mapping[int, str]
     ) -> tuple[set[str], int]:
         """Store them as `JobRunStore.save` does, as often as the database is away."""
         while True:
             try:
-                return await self._store.write(self._store.job_runs.save, job_id, computed, CORE_VERSION, failures)
+                return await self._store.write(self._store.job_runs.save, job.id, computed, CORE_VERSION, failures)
             except PERMANENT as error:
-                logger.exception("The database takes no results of job %s", job_id)
+                logger.exception("The database takes no results of job %s", job.id)
                 reason = f"The result could not be stored: {type(error).__name__}; it is in the service's log"
-                await self._store.write(self._store.jobs.give_up, job_id, reason)
+                await self._store.write(self._store.jobs.fail, job, reason)
                 return set(), 0
             except SQLAlchemyError as error:
                 logger.warning("A chunk waits for the database: %s", type(error).__name__)
@@ -189,7 +190,7 @@ class Dispatch:
 
     def _end(self, running: RunningJob) -> None:
         running.open_chunks -= 1
-        self.returned.set()
+        self._chunk_ended.set()
 
 
 def _split(
@@ -203,10 +204,6 @@ def _split(
     running.take_back(left)
     failures = {run.position: reasons[run.key] for run in runs if run.key in reasons}
     return [run for run in computed if run.cacheable], failures
-
-
-def _reason(outcome: ChunkOutcome) -> str:
-    return REASONS[outcome.error or "bug"]
 
 
 def _keep(tasks: set[asyncio.Task[None]], work: Coroutine[Any, Any, None]) -> None:

@@ -33,7 +33,11 @@ class JobSize:
 
 
 class JobFailedError(Exception):
-    """The job cannot go on; the message tells its owner why."""
+    """The job cannot go on; the message tells its owner why, and `problem` what a dry run would have answered."""
+
+    def __init__(self, message: str, problem: JsonObject | None = None) -> None:
+        super().__init__(message)
+        self.problem = problem
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -11,7 +11,6 @@ import logging
 from collections.abc import AsyncIterator, Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
-from pathlib import Path
 from typing import ParamSpec, TypeVar
 
 from filelock import FileLock, Timeout
@@ -30,22 +29,23 @@ LOCK_ID = 7236544  # of PostgreSQL's advisory locks; migrations have the number 
 RETRY = 2.0  # between two tries to get it [s]
 BEAT = 2.0  # the leader uses its connection so often [s]
 HUNG = 12.0  # a leader that has not used it for so long hangs [s]
-END_TIMEOUT = 5.0  # for its connections to end [s]
+END_TIMEOUT = 5.0  # for a connection to end [s]
 
+_TRY_LOCK = text("SELECT pg_try_advisory_lock(:id)")
 _HOLDER = """
     FROM pg_locks JOIN pg_stat_activity AS holder USING (pid)
     WHERE locktype = 'advisory' AND classid = 0 AND objid = :id AND objsubid = 1 AND granted
     AND database = (SELECT oid FROM pg_database WHERE datname = current_database())
 """
 _IS_OURS = text(f"SELECT application_name = current_setting('application_name') {_HOLDER}")
-_HUNG = text(
-    f"SELECT pid, application_name {_HOLDER} AND clock_timestamp() - state_change > :seconds * interval '1 second'"
+_END_HUNG = text(
+    f"""
+    WITH hung AS (SELECT application_name AS name {_HOLDER}
+        AND clock_timestamp() - state_change > :seconds * interval '1 second' AND starts_with(application_name, :ours))
+    SELECT pg_terminate_backend(pid, :timeout) FROM pg_stat_activity JOIN hung ON application_name = name
+    WHERE datname = current_database()
+    """  # noqa: S608 - of constants
 )
-_END_OTHERS = text(
-    "SELECT pg_terminate_backend(pid, :timeout) FROM pg_stat_activity "
-    "WHERE datname = current_database() AND application_name = :name AND pid <> :pid"
-)
-_END_HOLDER = text("SELECT pg_terminate_backend(:pid, :timeout)")
 
 
 class LeadershipLostError(Exception):
@@ -58,28 +58,27 @@ class Leadership:
     def __init__(self, store: Store) -> None:
         self._store = store
         self._on_server = store.engine.dialect.name != "sqlite"
-        self._connection: Connection | None = None
+        self._file = FileLock(f"{store.engine.url.database}.driver-lock", thread_local=False)
+        self._connection: Connection | None = None  # that holds the lock of a server
         self._thread: ThreadPoolExecutor | None = None  # of the connection: it is for one thread at a time
 
     @contextlib.asynccontextmanager
     async def held(self) -> AsyncIterator[None]:
         """Wait until this service is the leader, and stay it for the length of the block."""
-        url = self._store.engine.url
-        if self._on_server:
-            async with self._session_lock():
-                yield
-        else:
-            lock = FileLock(Path(f"{url.database}.driver-lock"), thread_local=False)
+        self._thread = ThreadPoolExecutor(1, thread_name_prefix="leadership")
+        beating = None
+        try:
             while True:
-                try:
-                    lock.acquire(timeout=0)
+                if await self._call(self._take):
                     break
-                except Timeout:
-                    await asyncio.sleep(RETRY)
-            try:
-                yield
-            finally:
-                lock.release()
+                await asyncio.sleep(RETRY)
+            beating = asyncio.create_task(self._beat())
+            yield
+        finally:
+            if beating is not None:
+                beating.cancel()
+            await self._call(self._release)
+            self._thread.shutdown(wait=False)
 
     async def confirm(self) -> None:
         """Raise where the lock is lost; else show that this leader does not hang.
@@ -87,11 +86,8 @@ class Leadership:
         Raises:
             LeadershipLostError: It is.
         """
-        connection, thread = self._connection, self._thread
-        if connection is None or thread is None:
-            return
         try:
-            await asyncio.get_running_loop().run_in_executor(thread, _use, connection)
+            await self._call(self._use)
         except SQLAlchemyError as error:
             raise LeadershipLostError from error
 
@@ -105,20 +101,8 @@ class Leadership:
             return await self._store.write(method, *args, **kwargs)
         return await self._store.write(partial(self._store.guarded, _check_lead, partial(method, *args, **kwargs)))
 
-    @contextlib.asynccontextmanager
-    async def _session_lock(self) -> AsyncIterator[None]:
-        connection = await self._wait_for_session_lock()
-        thread = ThreadPoolExecutor(1, thread_name_prefix="leadership")
-        self._connection, self._thread = connection, thread
-        beating = asyncio.create_task(self._beat())
-        try:
-            yield
-        finally:
-            beating.cancel()
-            self._connection = self._thread = None
-            # Closed, not given back to the pool: with the session its lock ends.
-            await asyncio.get_running_loop().run_in_executor(thread, _end, connection)
-            thread.shutdown(wait=False)
+    async def _call(self, method: Callable[[], T]) -> T:
+        return await asyncio.get_running_loop().run_in_executor(self._thread, method)
 
     async def _beat(self) -> None:
         """Show that this leader does not hang, also where it waits for something else."""
@@ -127,58 +111,38 @@ class Leadership:
                 await asyncio.sleep(BEAT)
                 await self.confirm()
 
-    async def _wait_for_session_lock(self) -> Connection:
-        while True:
-            with contextlib.suppress(SQLAlchemyError):  # a database that is down now may come back
-                connection = await self._store.read(_try_lock, self._store)
-                if connection is not None:
-                    return connection
-                if await self._store.read(_end_hung_leader, self._store):
-                    continue
-            await asyncio.sleep(RETRY)
+    def _take(self) -> bool:
+        """Try to take the lock; where its holder hangs, have the server end that one's connections."""
+        if not self._on_server:
+            with contextlib.suppress(Timeout):
+                self._file.acquire(timeout=0)
+            return self._file.is_locked
+        with contextlib.suppress(SQLAlchemyError), contextlib.ExitStack() as opened:  # one that is down may come back
+            connection = self._store.engine.connect().execution_options(isolation_level="AUTOCOMMIT")
+            opened.callback(connection.close)
+            if connection.execute(_TRY_LOCK, {"id": LOCK_ID}).scalar_one():
+                opened.pop_all()
+                self._connection = connection
+                return True
+            limits = {"seconds": HUNG, "timeout": int(1000 * END_TIMEOUT)}
+            if connection.execute(_END_HUNG, {"id": LOCK_ID, "ours": APPLICATION, **limits}).all():
+                logger.warning("The leader had not used its lock for more than %g s; its connections were ended", HUNG)
+        return False
 
+    def _use(self) -> None:
+        if self._connection is not None:
+            self._connection.execute(text("SELECT 1")).all()
 
-def _try_lock(store: Store) -> Connection | None:
-    connection = store.engine.connect().execution_options(isolation_level="AUTOCOMMIT")
-    try:
-        if connection.execute(text("SELECT pg_try_advisory_lock(:id)"), {"id": LOCK_ID}).scalar_one():
-            return connection
-    except SQLAlchemyError:
-        connection.close()
-        raise
-    connection.close()
-    return None
-
-
-def _end_hung_leader(store: Store) -> bool:
-    """Have the server end the connections of a leader that hangs; return whether there was one."""
-    with store.engine.connect().execution_options(isolation_level="AUTOCOMMIT") as connection:
-        holder = connection.execute(_HUNG, {"id": LOCK_ID, "seconds": HUNG}).first()
-        if holder is None:
-            return False
-        values = {"pid": holder.pid, "timeout": int(1000 * END_TIMEOUT)}
-        if holder.application_name.startswith(APPLICATION):  # else it cannot be told from other programs
-            connection.execute(_END_OTHERS, {**values, "name": holder.application_name}).all()
-        # The lock last: when another service gets it, nothing else of the hanging one is left.
-        ended = bool(connection.execute(_END_HOLDER, values).scalar_one())
-    if ended:
-        logger.warning(
-            "The leader had not used its lock's connection for more than %g s; its connections were ended", HUNG
-        )
-    return ended
-
-
-def _use(connection: Connection) -> None:
-    connection.execute(text("SELECT 1")).all()
+    def _release(self) -> None:
+        self._file.release()
+        if self._connection is not None:  # closed, not given back to the pool: with the session its lock ends
+            with contextlib.suppress(SQLAlchemyError):
+                self._connection.invalidate()
+            self._connection.close()
+            self._connection = None
 
 
 def _check_lead(connection: Connection) -> None:
     """Raise where no connection of this service has the lock."""
     if True not in connection.execute(_IS_OURS, {"id": LOCK_ID}).scalars().all():
         raise LeadershipLostError
-
-
-def _end(connection: Connection) -> None:
-    with contextlib.suppress(SQLAlchemyError):
-        connection.invalidate()
-    connection.close()

@@ -36,8 +36,9 @@ class Retention:
         self._days = settings.retention_days
         self._bytes = settings.retention_bytes
         self._due = time.monotonic()
-        self._clock: tuple[datetime, float] | None = None  # the database's, and this machine's [s]
-        self._ahead_since: float | None = None  # [s]
+        self._clock: tuple[datetime, float] | None = (
+            None  # the database's, when it was last believed, and this machine's [s]
+        )
         self._task: asyncio.Task[None] | None = None
 
     def begin_if_due(self) -> None:
@@ -48,20 +49,13 @@ class Retention:
         self._task = asyncio.create_task(self._apply_safely())
 
     async def now(self) -> datetime:
-        """The time by which rows are old: the database's, and for a day after its clock has jumped ahead, as before."""
+        """Return the time by which rows are old: the database's, but for a day not after its clock has jumped ahead."""
         now, seconds = await self._store.read(self._store.now), time.monotonic()
         before, since = self._clock or (now, seconds)
         expected = before + timedelta(seconds=seconds - since)
-        if now <= expected + JUMP:
-            self._ahead_since = None
-        elif self._ahead_since is None:
-            self._ahead_since = seconds
-            logger.warning(
-                "The database's clock has jumped ahead by %s: nothing is removed for it today", now - expected
-            )
-        if self._ahead_since is not None and seconds < self._ahead_since + BELIEVED_AFTER:
+        if now > expected + JUMP and seconds < since + BELIEVED_AFTER:
             return expected
-        self._clock, self._ahead_since = (now, seconds), None
+        self._clock = now, seconds
         return now
 
     def cancel(self) -> None:

@@ -10,10 +10,10 @@ import itertools
 import logging
 import time
 from collections import Counter
-from collections.abc import Awaitable, Callable, Collection, Coroutine, Iterable, Sequence
+from collections.abc import Awaitable, Callable, Collection, Iterable, Sequence
 from dataclasses import asdict
 from functools import partial
-from typing import Any, get_args
+from typing import get_args
 
 import numpy as np
 from sqlalchemy.exc import SQLAlchemyError
@@ -57,24 +57,22 @@ class PlanningEndedError(Exception):
 
 
 class JobTasks:
-    """A task for each of some jobs, so many at once.
+    """A task for each of some jobs, in the order they were accepted, `MAX_TASKS` at once; what cannot go on fails.
 
     Args:
-        store: The database.
-        ended: Is set when one has ended.
-        most: So many; the other jobs wait in the order they were accepted.
+        fail: Stores that a job has failed.
+        task_ended: Is set when one has ended.
     """
 
-    def __init__(self, store: Store, ended: asyncio.Event, most: int) -> None:
-        self._store = store
-        self._ended = ended
-        self._most = most
+    def __init__(self, fail: Callable[[StoredJob, JobFailedError], Awaitable[None]], task_ended: asyncio.Event) -> None:
+        self._fail = fail
+        self._task_ended = task_ended
         self._tasks: dict[str, asyncio.Task[None]] = {}
 
-    def begin(self, job_id: str, work: Callable[[], Coroutine[Any, Any, None]]) -> None:
+    def begin(self, job: StoredJob, work: Step) -> None:
         """Start a task with that work for the job, unless it has one, if there is room."""
-        if job_id not in self._tasks and len(self._tasks) < self._most:
-            self._tasks[job_id] = asyncio.create_task(self._run(job_id, work))
+        if job.id not in self._tasks and len(self._tasks) < MAX_TASKS:
+            self._tasks[job.id] = asyncio.create_task(self._run(job, work))
 
     def cancel(self, *, but: Collection[str] = ()) -> None:
         """End every task but those of these jobs."""
@@ -82,22 +80,33 @@ class JobTasks:
             if job_id not in but:
                 task.cancel()
 
-    async def _run(self, job_id: str, work: Callable[[], Coroutine[Any, Any, None]]) -> None:
+    async def _run(self, job: StoredJob, work: Step) -> None:
         """Run the work until it ends or meets a transient error, after which a later look starts it again."""
         try:
-            await work()
-        except DamagedError as error:
-            logger.error("Job %s: %s", job_id, error.message)
-            await self._store.write(self._store.jobs.give_up, job_id, error.message)
+            await self._run_or_fail(job, work)
         except TRANSIENT as error:
-            logger.warning("Job %s rests: %s", job_id, type(error).__name__)
+            logger.warning("Job %s rests: %s", job.id, type(error).__name__)
             await asyncio.sleep(PAUSE_AFTER_FAILURE)
         except Exception:  # not even its failure could be noted: it is tried again
-            logger.exception("Job %s rests", job_id)
+            logger.exception("Job %s rests", job.id)
             await asyncio.sleep(PAUSE_AFTER_FAILURE)
         finally:
-            del self._tasks[job_id]
-            self._ended.set()
+            del self._tasks[job.id]
+            self._task_ended.set()
+
+    async def _run_or_fail(self, job: StoredJob, work: Step) -> None:
+        try:
+            await work(job)
+        except TRANSIENT:
+            raise
+        except JobFailedError as error:
+            await self._fail(job, error)
+        except DamagedError as error:
+            logger.error("Job %s: %s", job.id, error.message)
+            await self._fail(job, JobFailedError(error.message))
+        except Exception:  # a bug of ours
+            logger.exception("Job %s failed", job.id)
+            await self._fail(job, JobFailedError(UNFORESEEN))
 
 
 class Scheduler:
@@ -129,9 +138,10 @@ class Scheduler:
         self._closed = False
         self._executor: Executor | None = None
         self._running_jobs: dict[str, RunningJob] = {}
-        self._chunks = Dispatch(store, workers, settings.run_timeout)
-        self._planning = JobTasks(store, self._chunks.returned, MAX_TASKS)
-        self._stepping = JobTasks(store, self._chunks.returned, MAX_TASKS)
+        self._work_ended = asyncio.Event()
+        self._chunks = Dispatch(store, workers, settings.run_timeout, self._work_ended)
+        self._planning = JobTasks(self._fail, self._work_ended)
+        self._stepping = JobTasks(self._fail, self._work_ended)
         self._crash_count: Counter[str] = Counter()  # how often planning a job lost its processes
         self._send_counter = itertools.count(1)
         self._reported = -REPORT
@@ -174,7 +184,7 @@ class Scheduler:
         while True:
             await self._leadership.confirm()
             changes.clear()
-            self._chunks.returned.clear()
+            self._work_ended.clear()
             try:
                 await self._look()
                 await self._send_chunks()
@@ -192,7 +202,7 @@ class Scheduler:
 
     async def _rest(self, changes: Follower) -> None:
         """Wait until a chunk comes back, a job changes, or the next look is due."""
-        waits = [asyncio.create_task(wait) for wait in (changes.wait(JOB_POLL_INTERVAL), self._chunks.returned.wait())]
+        waits = [asyncio.create_task(wait) for wait in (changes.wait(JOB_POLL_INTERVAL), self._work_ended.wait())]
         try:
             await asyncio.wait(waits, return_when=asyncio.FIRST_COMPLETED)
         finally:
@@ -214,9 +224,9 @@ class Scheduler:
             if kind is None:  # a newer version's
                 continue
             if job.state == "planning":
-                self._planning.begin(job.id, partial(self._plan, job, kind))
+                self._planning.begin(job, partial(self._plan, kind))
             elif kind.step is not None:
-                self._stepping.begin(job.id, partial(self._take_steps, job.id, kind.step))
+                self._stepping.begin(job, kind.step)
             elif job.id not in self._running_jobs:
                 await self._begin(job, kind)
             elif job.state == "queued":  # it was cancelled and resumed between two looks
@@ -238,7 +248,8 @@ class Scheduler:
             self._executor = await self._connect()
         await self._leadership.write(self._store.jobs.start, job.id)
         order = kind.order(job) if kind.order else np.arange(job.total)
-        self._running_jobs[job.id] = RunningJob(job=job, kind=kind, order=order)
+        waiting = await self._store.read(self._store.job_runs.waiting_positions, job.id)
+        self._running_jobs[job.id] = RunningJob(job=job, kind=kind, order=order[np.isin(order, waiting)])
 
     async def _send_chunks(self) -> None:
         """Keep every process busy; the next chunk is of the job with the fewest open chunks.
@@ -269,63 +280,45 @@ class Scheduler:
                 self._chunks.send(executor, running, runs)
             else:
                 looked_at.add(running.job.id)
-                if not running.open_chunks and not running.returned:  # one may have come back meanwhile
+                if not running.open_chunks and not running.to_resend:  # one may have come back meanwhile
                     await self._finish(running)
 
     async def _finish(self, running: RunningJob) -> None:
+        """Set a job to done; where something waits after all, the next look begins it again."""
         job_id = running.job.id
-        if await self._leadership.write(self._store.jobs.finish, job_id):
-            self._running_jobs.pop(job_id, None)
-            if running.kind.delete_when_done:
-                await self._forget(job_id)
-        else:  # something waits after all: from the start
-            running.sent = 0
+        del self._running_jobs[job_id]
+        if await self._leadership.write(self._store.jobs.finish, job_id) and running.kind.delete_when_done:
+            job = await self._store.read(self._store.jobs.load, job_id)
+            if job is not None and not job.failed:  # one with failures stays and says why
+                await self._leadership.write(self._store.jobs.delete, job_id)
 
-    async def _forget(self, job_id: str) -> None:
-        """Delete a job that is done; one with failures stays and says why."""
-        job = await self._store.read(self._store.jobs.load, job_id)
-        if job is not None and not job.failed:
-            await self._leadership.write(self._store.jobs.delete, job_id)
-
-    async def _plan(self, job: StoredJob, kind: JobKind) -> None:
-        """Plan a job, or end it with what planning found; one that is cancelled meanwhile stays so."""
+    async def _plan(self, kind: JobKind, job: StoredJob) -> None:
+        """Plan a job; one that is cancelled meanwhile stays so."""
         if kind.plan is None:
             raise TypeError(f"Jobs of the kind {kind.name} are not planned")
-        write, end = self._leadership.write, partial(self._store.jobs.end_planning, job.id)
         try:
             size = await kind.plan(job, partial(self._add_runs, job.id))
-            await write(end, "queued", **asdict(size))
+            await self._leadership.write(self._store.jobs.end_planning, job.id, **asdict(size))
         except PlanningEndedError:
             return
         except WorkerLostError as error:
             self._crash_count[job.id] += 1
             if self._crash_count[job.id] < MOST_CRASHES:
                 raise
-            await write(end, "failed", reason=error.message)
             del self._crash_count[job.id]  # resumed, it may be tried as often again
+            raise JobFailedError(error.message) from error
         except (*TRANSIENT, DamagedError):
             raise
         except (ServiceError, RidelabError) as error:
-            await write(end, "failed", reason=error.message, progress=job.progress | {"problem": problem_of(error)})
-        except Exception:  # a bug of ours: this job fails and says so, the others go on
-            logger.exception("Job %s could not be planned", job.id)
-            await write(end, "failed", reason=UNFORESEEN)
+            raise JobFailedError(error.message, problem_of(error)) from error
 
     async def _add_runs(self, job_id: str, runs: Sequence[JobRun]) -> None:
         if not await self._leadership.write(self._store.jobs.add_planned, job_id, runs):
             raise PlanningEndedError
 
-    async def _take_steps(self, job_id: str, step: Step) -> None:
-        while (job := await self._store.read(self._store.jobs.load, job_id)) is not None and job.state in UNFINISHED:
-            try:
-                await step(job)
-            except TRANSIENT:
-                raise
-            except JobFailedError as error:
-                await self._store.write(self._store.jobs.fail, job, str(error))
-            except Exception:  # a bug of ours: this job fails and says so, the others go on
-                logger.exception("Job %s failed", job.id)
-                await self._store.write(self._store.jobs.fail, job, UNFORESEEN)
+    async def _fail(self, job: StoredJob, error: JobFailedError) -> None:
+        values = {} if error.problem is None else {"progress": job.progress | {"problem": error.problem}}
+        await self._leadership.write(self._store.jobs.fail, job, str(error), **values)
 
     async def _report(self) -> None:
         """Update the metrics of jobs and runs, every few seconds."""

@@ -29,6 +29,11 @@ class JobRunStore(RowStore):
             rows = connection.execute(query.order_by(job_runs.c.position)).all()
         return [JobRun(row.position, row.changes, row.strategy, row.result_key or "") for row in rows]
 
+    def waiting_positions(self, job_id: str) -> list[int]:
+        """Return the positions of the runs that wait."""
+        with self._database.reading() as connection:
+            return list(connection.execute(select(job_runs.c.position).where(waiting_runs(job_id))).scalars())
+
     def hand_out(self, job_id: str, runs: Sequence[JobRun]) -> list[JobRun]:
         """Store the keys of waiting runs that are to be computed now; return those whose result is not stored.
 

@@ -162,9 +162,9 @@ class JobStore(RowStore):
             connection.execute(insert(job_runs), [run.row(job_id) for run in runs])
         return True
 
-    def end_planning(self, job_id: str, state: State, **values: Any) -> None:
-        """Set a job that is being planned to queued, or to failed, with these values changed."""
-        self._change_state(job_id, ("planning",), state, **values)
+    def end_planning(self, job_id: str, **values: Any) -> None:
+        """Set a job that is being planned to queued, with these values changed."""
+        self._change_state(job_id, ("planning",), "queued", **values)
 
     def start(self, job_id: str) -> None:
         """Set a queued job to running."""
@@ -189,16 +189,16 @@ class JobStore(RowStore):
         self._database.changed(job_id)
         return True
 
-    def fail(self, job: StoredJob, reason: str) -> None:
-        """Set a job to failed, unless it has ended or has advanced beyond `job`."""
-        self.advance(job, event="state", state="failed", reason=reason)
+    def fail(self, job: StoredJob, reason: str, **values: Any) -> None:
+        """Set a job to failed, with these values changed, and cancel its runs that wait.
 
-    def give_up(self, job_id: str, reason: str) -> None:
-        """Set a sweep to failed and cancel its waiting runs, whose results can never be stored."""
+        Not where it has ended, or has advanced beyond `job`.
+        """
         with self._database.writing() as connection:
-            if change_state(connection, job_id, UNFINISHED, "failed", reason=reason):
-                connection.execute(update(job_runs).where(waiting_runs(job_id)).values(status="cancelled"))
-        self._database.changed(job_id)
+            if _stands(connection, job):
+                change_state(connection, job.id, UNFINISHED, "failed", reason=reason, **values)
+                connection.execute(update(job_runs).where(waiting_runs(job.id)).values(status="cancelled"))
+        self._database.changed(job.id)
 
     def cancel(self, job_id: str) -> None:
         """Cancel a job and the jobs it submitted; those that have ended stay unchanged."""
@@ -249,9 +249,7 @@ class JobStore(RowStore):
             values: Columns to change.
         """
         with self._database.writing() as connection:
-            lock(connection, job.id)
-            now = _job(connection.execute(select(*WITHOUT_SWEEP).where(jobs.c.id == job.id)).one())
-            if now.state not in UNFINISHED or _step(now) != _step(job):
+            if not _stands(connection, job):
                 return False
             if "state" in values:
                 values |= _times(values["state"])
@@ -391,6 +389,12 @@ def _job(row: Row[Any]) -> StoredJob:
     return StoredJob(**row._mapping)
 
 
-def _step(job: StoredJob) -> tuple[Any, Any]:
-    """A job's attempt and generation: when two services drive it by mistake, each step is committed once."""
-    return job.progress.get("attempt"), job.progress.get("generation")
+def _stands(connection: Connection, job: StoredJob) -> bool:
+    """Lock a job and check that it has not ended and is at the same attempt and generation.
+
+    Where two services drive it by mistake each step is then committed once.
+    """
+    if lock(connection, job.id) not in UNFINISHED:
+        return False
+    progress = connection.execute(select(jobs.c.progress).where(jobs.c.id == job.id)).scalar_one()
+    return all(progress.get(name) == job.progress.get(name) for name in ("attempt", "generation"))

@@ -163,7 +163,7 @@ def test_planning_adds_runs_in_pieces_begins_anew_and_stops_where_the_job_was_ca
     runs = [run._replace(key="") for run in rows()]
     for piece in (runs[:6], runs[6:9], runs[:5], runs[5:]):  # the first planning was interrupted
         assert store.jobs.add_planned(job.id, piece)
-    store.jobs.end_planning(job.id, "queued", total=RUNS, failed=0, estimated_cost=1.5)
+    store.jobs.end_planning(job.id, total=RUNS, failed=0, estimated_cost=1.5)
     now = there(store.jobs.load(job.id))
     assert (now.state, now.total, now.is_planned) == ("queued", RUNS, True)
     assert len(store.job_runs.rows(job.id, -1, 100)) == RUNS
@@ -171,7 +171,7 @@ def test_planning_adds_runs_in_pieces_begins_anew_and_stops_where_the_job_was_ca
     other, _ = store.jobs.create(replace(unplanned, id="other"), ())
     store.jobs.cancel(other.id)
     assert not store.jobs.add_planned(other.id, runs)
-    store.jobs.end_planning(other.id, "queued", total=RUNS)
+    store.jobs.end_planning(other.id, total=RUNS)
     assert there(store.jobs.load(other.id)).state == "cancelled"
     store.jobs.resume(other.id)
     assert there(store.jobs.load(other.id)).state == "planning"
@@ -180,7 +180,7 @@ def test_planning_adds_runs_in_pieces_begins_anew_and_stops_where_the_job_was_ca
 def test_a_run_that_ends_after_its_batch_was_given_up_and_resumed_has_no_reason_of_before(
     store: Store, batch: StoredJob
 ) -> None:
-    store.jobs.give_up(batch.id, "The disk is full")
+    store.jobs.fail(batch, "The disk is full")
     with store.writing() as connection:  # as 0.3.0 left them
         connection.execute(update(job_runs).values(reason="The disk is full"))
     store.jobs.resume(batch.id)

@@ -33,11 +33,11 @@ TOKEN = "ann-0123456789abcdef"  # noqa: S105  # nobody's
 
 
 class Replica(Process):
-    """A service that looks every second for what is old."""
+    """A service that looks for what is old many times between two jumps, as one between jumps that last ten minutes."""
 
     PROGRAM = (
         "-c",
-        "import sys; from backend.__main__ import main; from backend.jobs import retention; retention.INTERVAL = 1.0; "
+        "import sys; from backend.__main__ import main; from backend.jobs import retention; retention.INTERVAL = 0.05; "
         "sys.exit(main())",
     )
 
