@@ -65,7 +65,7 @@ margins: setup ## how much worse LQR is than LV, and every strategy against pass
 	$(BIN)/ridelab run paper --roads 10 --strategy lv,lqr --baseline lv
 	$(BIN)/ridelab run paper --roads 10
 
-robust: development ## searches the preset `robust` again and drives it at points it never saw: some ten minutes
+robust: development ## drives the preset `robust` at points that its search never saw: the tables of docs/explanation/robustness.md
 	$(BIN)/python -m benchmarks.robust
 
 nearest: development ## what the paper's printed absolutes are compatible with: the tables of docs/explanation/nearest.md
@@ -85,7 +85,6 @@ ecu: development ## the ECU's program: C sources in build/ridelab-controller, th
 	$(MAKE) --directory build/ridelab-controller
 	$(BIN)/ridelab controller paper --program build/ridelab-controller/ridelab_ecu
 	$(BIN)/ridelab controller paper --report
-	$(BIN)/python -m benchmarks.ecu
 
 figures: development ## the figures of the manual again, from the lines below them, and what its lines print
 	UPDATE_DOCS=1 $(BIN)/python -m pytest -q tests/architecture/test_documentation.py tests/manual

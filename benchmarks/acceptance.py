@@ -8,7 +8,7 @@ from typing import Any
 
 import httpx
 
-from benchmarks.api_latency import server
+from benchmarks.api_latency import server, timed
 from benchmarks.timing import table
 
 LONGEST = 2**20  # of a body [bytes]
@@ -51,24 +51,15 @@ def _body(request: dict[str, Any]) -> bytes:
 
 
 def _accepted(client: httpx.Client, path: str, body: bytes) -> tuple[float, float, float]:
-    without, with_key = ([_once(client, path, body, key) for key in keys] for keys in _keys())
-    return statistics.median(without), _quantile(without), _quantile(with_key)
-
-
-def _keys() -> tuple[list[dict[str, str]], list[dict[str, str]]]:
-    return [{}] * REPEATS, [{"Idempotency-Key": f"key-{time.monotonic_ns() + i}"} for i in range(REPEATS)]
+    without = [_once(client, path, body, {}) for _ in range(REPEATS)]
+    with_key = [_once(client, path, body, {"Idempotency-Key": f"key-{time.monotonic_ns()}"}) for _ in range(REPEATS)]
+    most, most_with_key = (statistics.quantiles(times, n=20)[-1] for times in (without, with_key))
+    return statistics.median(without), most, most_with_key
 
 
 def _once(client: httpx.Client, path: str, body: bytes, key: dict[str, str]) -> float:
     """Return how long it takes until the answer is there [ms]."""
-    begin = time.perf_counter()
-    answer = client.post(f"/api/v1{path}", content=body, headers={**HEADERS, **key})
-    taken = 1000 * (time.perf_counter() - begin)
-    job = answer.raise_for_status().json()["id"]
-    client.post(f"/api/v1{path}/{job}/cancel").raise_for_status()
+    taken, answer = timed(client, "POST", f"/api/v1{path}", content=body, headers={**HEADERS, **key})
+    client.post(f"/api/v1{path}/{answer.json()['id']}/cancel").raise_for_status()
     time.sleep(REST)
     return taken
-
-
-def _quantile(times: list[float]) -> float:
-    return statistics.quantiles(times, n=20)[-1]

@@ -57,52 +57,27 @@ def timed(client: httpx.Client, method: str, path: str, **options: Any) -> tuple
 
 
 def run() -> None:
-    """Print the table."""
+    """Print both tables."""
     with server() as client:
-        rows = []
-        first, answer = timed(client, "POST", "/api/v1/runs", json={"scenario": {}, "strategies": TOGETHER})
-        rows.append(["POST /runs, first of all", first, _compute_ms(answer), first - _compute_ms(answer)])
-        fresh = [_new_run(client, seed) for seed in range(1, REPEATS + 1)]
-        rows.append(["POST /runs, new road", *_medians(fresh)])
-        stored = []
-        for seed in range(1, REPEATS + 1):
-            taken, _ = timed(client, "POST", "/api/v1/runs", json=_request(seed))
-            stored.append((taken, 0.0))
-        rows.append(["POST /runs, stored", *_medians(stored)])
+        first, answer = timed(client, "POST", "/api/v1/runs", json=_request(0))
+        fresh = [timed(client, "POST", "/api/v1/runs", json=_request(seed)) for seed in range(1, REPEATS + 1)]
+        live = [timed(client, "POST", "/api/v1/live", json=_request(seed)) for seed in range(-REPEATS, 0)]
         run_id = answer.json()["id"]
-        rows.append(
-            [
-                "GET /runs/{id}",
-                *_medians([(timed(client, "GET", f"/api/v1/runs/{run_id}")[0], 0.0) for _ in range(REPEATS)]),
-            ]
-        )
-        live = []
-        for i in range(REPEATS):
-            body = {"scenario": {"road": {"bump": {"height": 0.08 + i / 1000}}}, "strategies": TOGETHER}
-            taken, answer = timed(client, "POST", "/api/v1/live", json=body)
-            live.append((taken, _compute_ms(answer)))
-        rows.append(["POST /live, another height", *_medians(live)])
-        places = [timed(client, "GET", f"{_instants(run_id)}&position={90 + i / 10}")[0] for i in range(100)]
         processor = [
-            ["POST /runs, stored", _processor_ms(client, "POST", "/api/v1/runs", json=_request(1))],
-            ["GET /runs/{id}", _processor_ms(client, "GET", f"/api/v1/runs/{run_id}")],
+            ["POST /runs, stored", *_stored(client, "POST", "/api/v1/runs", json=_request(0))],
+            ["GET /runs/{id}", *_stored(client, "GET", f"/api/v1/runs/{run_id}")],
         ]
-    print(f"\n{1000 / statistics.mean(places[1:]):.0f} instants a second under one moving cursor (goal: 10)")
+    kinds = {"POST /runs, first of all": [(first, answer)], "POST /runs, new road": fresh, "POST /live": live}
+    rows = [[name, *_medians(answers)] for name, answers in kinds.items()]
     table("The service: lv + lqr + passive, medians", ["", "ms", "computing, ms", "on top, ms"], rows)
-    table("The service's own processor time of a stored answer", ["", "ms"], processor)
+    table("A stored answer", ["", "median, ms", "the service's own processor time, ms"], processor)
 
 
-def _instants(run_id: str) -> str:
-    """The address of a run's instants."""
-    return f"/api/v1/runs/{run_id}/instant?strategy=lv"
-
-
-def _processor_ms(client: httpx.Client, method: str, path: str, **options: Any) -> float:
-    """Processor time that the service takes for such a request, its workers apart [ms]."""
+def _stored(client: httpx.Client, method: str, path: str, **options: Any) -> tuple[float, float]:
+    """Return how long such a request takes, and the processor time of the service, its workers apart [ms]."""
     begin = _processor_seconds(client)
-    for _ in range(STORED):
-        timed(client, method, path, **options)
-    return 1000 * (_processor_seconds(client) - begin) / STORED
+    taken = statistics.median(timed(client, method, path, **options)[0] for _ in range(STORED))
+    return taken, 1000 * (_processor_seconds(client) - begin) / STORED
 
 
 def _processor_seconds(client: httpx.Client) -> float:
@@ -114,15 +89,9 @@ def _request(seed: int) -> dict[str, Any]:
     return {"scenario": {"road": {"seed": 5000 + seed}}, "strategies": TOGETHER}
 
 
-def _new_run(client: httpx.Client, seed: int) -> tuple[float, float]:
-    taken, answer = timed(client, "POST", "/api/v1/runs", json=_request(seed))
-    return taken, _compute_ms(answer)
-
-
-def _compute_ms(answer: httpx.Response) -> float:
-    return sum(float(entry["compute_ms"]) for entry in answer.json()["strategies"].values() if not entry.get("cached"))
-
-
-def _medians(pairs: list[tuple[float, float]]) -> tuple[float, float, float]:
-    taken, computing = (statistics.median(column) for column in zip(*pairs, strict=True))
+def _medians(answers: list[tuple[float, httpx.Response]]) -> tuple[float, float, float]:
+    taken = statistics.median(milliseconds for milliseconds, _ in answers)
+    computing = statistics.median(
+        sum(each["compute_ms"] for each in answer.json()["strategies"].values()) for _, answer in answers
+    )
     return taken, computing, taken - computing

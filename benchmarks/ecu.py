@@ -1,4 +1,4 @@
-"""What an operation of the ECU's controller costs on its processor, by emulation: `python -m benchmarks.ecu`.
+"""What an operation of the ECU's controller costs on its processor, by emulation.
 
 backend/ecu/effort.py has the result as CYCLES_PER_OPERATION and SPREAD, to which tests/unit/test_ecu_export.py
 holds it.
@@ -9,18 +9,13 @@ from contextlib import nullcontext
 
 import numpy as np
 
-from backend.ecu import effort
-from benchmarks import firmware
 from benchmarks.cortex_m3 import CortexM3, Spent
-from sim_core import Mpc, Scenario, simulate
+from sim_core import Scenario, simulate
 from sim_core.ecu.calibration import Checked
 from sim_core.ecu.interface import Ecu, Frame, Reply
 from sim_core.ecu.program import CompiledEcu
 from sim_core.strategies.calibration import ecu_calibration
 from sim_core.strategies.lv_hil import LvHil
-
-SIZES: tuple[tuple[int, int, Checked], ...] = ((30, 20, "all"), (30, 20, "few"), (15, 10, "all"), (8, 4, "all"))
-RANKS = (-1, -5, -20, -100)  # the busiest steps, from the end
 
 
 class RecordedDrive(Ecu):
@@ -49,30 +44,3 @@ class RecordedDrive(Ecu):
         spent = machine.call("ridelab_firmware_step")
         front, rear = struct.unpack("<2i", machine.read("ridelab_firmware_output", 8))
         return spent, (front, rear)
-
-
-def main() -> None:
-    """Emulate quiet and busy steps of several controllers on a drive with tight limits."""
-    ratios = []
-    print("Np  Nc  limits  iterations  operations  instructions     cycles  cycles/operation  stack")
-    for prediction, control, checked in SIZES:
-        mpc = Mpc(prediction_horizon=prediction, control_horizon=control, force_limit=1500, deflection_limit=0.03)
-        drive = RecordedDrive(Scenario(mpc=mpc), checked)
-        image = firmware.image(drive.calibration)
-        print(f"flash {image.flash}, RAM {image.ram} bytes; computed: {effort.memory(drive.calibration)}")
-        machine = CortexM3(image)
-        machine.call("ridelab_firmware_start")
-        for k in (drive.by_operations[0], *(drive.by_operations[rank] for rank in RANKS)):
-            _, reply, operations = drive.steps[k]
-            spent, _ = drive.emulated(machine, k)
-            ratios.append(spent.cycles / operations)
-            print(
-                f"{prediction:<4}{control:<4}{checked:<6}{reply.iterations:>12}{operations:>12}{spent.instructions:>14}"
-                f"{spent.cycles:>11}{ratios[-1]:>18.1f}{spent.stack:>7}"
-            )
-    spread = max(abs(ratio / effort.CYCLES_PER_OPERATION - 1) for ratio in ratios)
-    print(f"{effort.CYCLES_PER_OPERATION:g} cycles an operation are within {100 * spread:.0f} % of these")
-
-
-if __name__ == "__main__":
-    main()

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from statistics import median
 from time import perf_counter, sleep
 from typing import Any
@@ -24,45 +25,7 @@ REDRAW, FRAMES = 50.0, 60.0  # goals: 95th percentile [ms], frames a second
 CURVES = "[data-drawn] >> nth=0"
 ROWS, LONGEST_TASK = 10_000, 100.0  # of a sweep; goal [ms]
 
-# When each live request left and its answer was there, when a canvas was cleared to be drawn anew, and each frame.
-WATCH = """
-window.seen = {sent: [], answered: [], drawn: [], moved: [], frames: []};
-const fetched = window.fetch;
-window.fetch = async (address, options) => {
-  if (!String(address?.url ?? address).includes('/api/v1/live')) return fetched(address, options);
-  const index = seen.sent.push(performance.now()) - 1;
-  const answer = await fetched(address, options);
-  seen.answered[index] = performance.now();
-  return answer;
-};
-const {clearRect} = CanvasRenderingContext2D.prototype;
-CanvasRenderingContext2D.prototype.clearRect = function (...area) {
-  seen.drawn.push(performance.now());
-  return clearRect.apply(this, area);
-};
-"""
-TASKS = """
-window.tasks = [];
-new PerformanceObserver(list => tasks.push(...list.getEntries())).observe({type: 'longtask'});
-"""
-# Of tasks that ended after the rows had come; shorter ones than 50 ms are not told.
-LONGEST = """() => {
-  const [{responseEnd}] = performance.getEntriesByType('resource').filter(({name}) => name.includes('/table?'));
-  const after = tasks.filter(({startTime, duration}) => startTime + duration > responseEnd);
-  return Math.max(0, ...after.map(({duration}) => duration));
-}"""
-# When the first curves stood, and the size of all that had come by then, answers' heads included [ms, kB].
-FIRST = """() => {
-  const [drawn] = seen.drawn;
-  const come = [...performance.getEntriesByType('navigation'), ...performance.getEntriesByType('resource')]
-    .filter(({responseEnd}) => responseEnd > 0 && responseEnd <= drawn);
-  return [come.reduce((sum, {transferSize}) => sum + transferSize, 0) / 1000, drawn];
-}"""
-PRESSED = """() => {
-  document.addEventListener('pointermove', ({timeStamp}) => seen.moved.push(timeStamp), {capture: true});
-  const frame = now => requestAnimationFrame(frame, seen.frames.push(now));
-  requestAnimationFrame(frame);
-}"""
+WATCH = Path(__file__).with_suffix(".js")
 
 
 def run() -> None:
@@ -71,10 +34,10 @@ def run() -> None:
         address = str(client.base_url)
         browser = launch(playwright, compilers=True)
         first = [first_view(browser, address) for _ in range(REPEATS)]
-        redraws, rate, moves = drag(browser, address)
+        redraws, rate = drag(browser, address)
         longest = arrival(browser, client)
         browser.close()
-    size, taken, whole = (median(each[index] for each in first) for index in range(3))
+    size, taken = (median(column) for column in zip(*first, strict=True))
     slowest = percentile(redraws, 0.95)
     table(
         "The page in Chromium",
@@ -82,11 +45,9 @@ def run() -> None:
         [
             ["until the first curves stand, compressed [kB]", size, FIRST_LOAD],
             ["from the address to the first curves, empty cache, median [ms]", taken, FIRST_PLOT],
-            ["until the page is at rest, compressed, without plotly.js [kB]", whole, ""],
             ["from a move of a slider to its curves, median [ms]", median(redraws), ""],
             ["the same, 95th percentile [ms]", slowest, REDRAW],
             ["frames a second meanwhile", rate, FRAMES],
-            ["moves a second meanwhile", moves, ""],
             [f"longest task when a sweep's {ROWS} rows come [ms]", longest, LONGEST_TASK],
         ],
     )
@@ -100,32 +61,27 @@ def opened(browser: Browser) -> Iterator[Page]:
     context.close()
 
 
-def first_view(browser: Browser, address: str) -> tuple[float, float, float]:
-    """Kilobytes of the answers until the first curves stand, milliseconds until they do, kilobytes of all answers."""
+def first_view(browser: Browser, address: str) -> tuple[float, float]:
+    """Kilobytes of the answers until the first curves stand, and milliseconds until they do."""
     with opened(browser) as page:
-        session = page.context.new_cdp_session(page)
-        session.send("Network.enable")
-        sizes: list[float] = []
-        session.on("Network.loadingFinished", lambda event: sizes.append(event["encodedDataLength"]))
-        page.add_init_script(WATCH)
+        page.add_init_script(path=WATCH)
         page.goto(address)
         page.locator(CURVES).wait_for()
-        size, taken = page.evaluate(FIRST)
-        page.wait_for_load_state("networkidle")
-        return size, taken, sum(sizes) / 1000
+        size, taken = page.evaluate("firstCurves()")
+        return size, taken
 
 
-def drag(browser: Browser, address: str) -> tuple[list[float], float, float]:
-    """Milliseconds from each move of a slider to the curves of that value or a newer one; frames and moves a second."""
+def drag(browser: Browser, address: str) -> tuple[list[float], float]:
+    """Milliseconds from each move of a slider to the curves of that value or a newer one; frames a second."""
     with opened(browser) as page:
-        page.add_init_script(WATCH)
+        page.add_init_script(path=WATCH)
         page.goto(address)
         page.locator(CURVES).wait_for()
         page.wait_for_load_state("networkidle")
         x, y = thumb(page.get_by_role("slider", name="Height", exact=True))
         page.mouse.move(x, y)
         page.mouse.down()
-        page.evaluate(PRESSED)
+        page.evaluate("watchMoves()")
         due = perf_counter()
         for step in range(MOVES):
             page.mouse.move(x - STRIDE * abs((step + TURN) % (2 * TURN) - TURN), y)
@@ -133,7 +89,8 @@ def drag(browser: Browser, address: str) -> tuple[list[float], float, float]:
             sleep(max(0.0, due - perf_counter()))
         seen: dict[str, list[Any]] = page.evaluate("seen")
         page.mouse.up()
-    return redraw_times(seen), a_second(seen["frames"]), a_second(seen["moved"])
+    frames = seen["frames"]
+    return redraw_times(seen), 1000 * (len(frames) - 1) / (frames[-1] - frames[0])
 
 
 def arrival(browser: Browser, client: httpx.Client) -> float:
@@ -152,12 +109,12 @@ def arrival(browser: Browser, client: httpx.Client) -> float:
         route.fulfill(json=answer)
 
     with opened(browser) as page:
-        page.add_init_script(TASKS)
+        page.add_init_script(path=WATCH)
         page.route("**/table?*", many)
         page.goto(f"{client.base_url}/b/{batch}")
         page.locator(f"[data-points='{ROWS}']").wait_for()
         page.wait_for_load_state("networkidle")
-        longest: float = page.evaluate(LONGEST)
+        longest: float = page.evaluate("longestTask()")
         return longest
 
 
@@ -172,11 +129,6 @@ def redraw_times(seen: dict[str, list[Any]]) -> list[float]:
         if drawn is not None:
             times.append(drawn - moved)
     return times
-
-
-def a_second(moments: list[float]) -> float:
-    """How many come in a second, of moments in ms."""
-    return 1000 * (len(moments) - 1) / (moments[-1] - moments[0])
 
 
 def percentile(values: list[float], part: float) -> float:

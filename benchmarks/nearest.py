@@ -141,7 +141,7 @@ def in_windows(scenario: Scenario, position: FloatArray, signals: Mapping[str, F
     return np.array([*rms, *(np.abs(signals[name][bump]).max() for name in PAPER_SIGNALS)])
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class Assumptions:
     """One way to read the paper: its assumptions, the fields that they change, and how tyre loads are taken."""
 
@@ -163,31 +163,20 @@ CLASS_C: Changes = {"road.roughness": 256e-6}
 IN_KMH: Changes = {"road.roughness": 64e-6 * HEIGHTS_IN_KMH}
 FREE: Changes = {"mpc.force_limit": 100_000, "mpc.deflection_limit": 1}
 HALF: Changes = {"vehicle.body_mass": 635, "vehicle.pitch_inertia": 768.35}
-NEAREST_SET = Assumptions(title="together, class C, loads ×2", count=3, changes={**TOGETHER, **CLASS_C}, loads=2)
+NEAREST_SET = Assumptions("together, class C, loads ×2", 3, {**TOGETHER, **CLASS_C}, 2)
 INTERPRETATIONS = (
-    Assumptions(
-        title="rear 10 ms late, km/h in Eq. 1, loads ×2",
-        count=3,
-        changes={**TOGETHER, **IN_KMH},
-        loads=2,
-        drive=rear_late,
-    ),
+    Assumptions("rear 10 ms late, km/h in Eq. 1, loads ×2", 3, {**TOGETHER, **IN_KMH}, 2, rear_late),
     NEAREST_SET,
-    Assumptions(title="together, km/h in Eq. 1, loads ×2", count=3, changes={**TOGETHER, **IN_KMH}, loads=2),
-    Assumptions(
-        title="together, class C, load = tyre and strut force",
-        count=3,
-        changes={**TOGETHER, **CLASS_C},
-        drive=with_strut_force,
-    ),
-    Assumptions(title="delayed, class C, loads ×2", count=2, changes={**KMH_25, **CLASS_C}, loads=2),
-    Assumptions(title="delayed, an unsettled start, loads ×2", count=2, changes=KMH_25, loads=2, drive=dropped),
-    Assumptions(title="half the body's mass, together, loads ×2", count=3, changes={**TOGETHER, **HALF}, loads=2),
-    Assumptions(title="loads ×2 alone", count=1, changes=KMH_25, loads=2),
-    Assumptions(title="class C alone", count=1, changes={**KMH_25, **CLASS_C}),
-    Assumptions(title="together alone", count=1, changes=TOGETHER),
-    Assumptions(title="as Ridelab reads the paper, 25 km/h", count=0, changes=KMH_25),
-    Assumptions(title="as Ridelab reads the paper", count=0, changes={}),
+    Assumptions("together, km/h in Eq. 1, loads ×2", 3, {**TOGETHER, **IN_KMH}, 2),
+    Assumptions("together, class C, load = tyre and strut force", 3, {**TOGETHER, **CLASS_C}, drive=with_strut_force),
+    Assumptions("delayed, class C, loads ×2", 2, {**KMH_25, **CLASS_C}, 2),
+    Assumptions("delayed, an unsettled start, loads ×2", 2, KMH_25, 2, dropped),
+    Assumptions("half the body's mass, together, loads ×2", 3, {**TOGETHER, **HALF}, 2),
+    Assumptions("loads ×2 alone", 1, KMH_25, 2),
+    Assumptions("class C alone", 1, {**KMH_25, **CLASS_C}),
+    Assumptions("together alone", 1, TOGETHER),
+    Assumptions("as Ridelab reads the paper, 25 km/h", 0, KMH_25),
+    Assumptions("as Ridelab reads the paper", 0, {}),
 )
 
 
@@ -223,16 +212,13 @@ def bare_bump(speed_kmh: float, rear_axle: RearAxle, damping: float | None = Non
     return np.array([metrics[signal][PEAK] for signal in PAPER_SIGNALS])
 
 
-def _damped(rear_axle: RearAxle, window: str, damping: float) -> FloatArray:
-    return bare_bump(50.0, rear_axle, damping, window)
-
-
 def load_bounds(pool: Executor) -> None:
     """Print the most that a tyre load's peak is over the body acceleration's, whatever the damping."""
     rows = []
     for axle in ("in_turn", "together"):
         for window in (BUMP, WHOLE):
-            peak = np.array(list(pool.map(partial(_damped, axle, window), DAMPINGS.tolist(), chunksize=8)))
+            peaks = pool.map(partial(bare_bump, 50.0, axle, window=window), DAMPINGS.tolist(), chunksize=8)
+            peak = np.array(list(peaks))
             rows.append([f"{axle}, {window}", *(f"{each:.0f}" for each in (peak[:, 2:] / peak[:, :1]).max(axis=0))])
     body, _, *loads = (printed("passive", each) for each in FIGURES[4:])
     rows.append(["printed", *(f"{load / body:.0f}" for load in loads)])
@@ -244,7 +230,7 @@ def free_fit(pool: Executor, roads: range) -> None:
     """Print which heights of the road and which factor of tyre loads come nearest with both axles together."""
     best = None
     for heights in np.arange(1.0, 2.65, 0.1).tolist():
-        assumed = Assumptions(title="", count=0, changes={**TOGETHER, "road.roughness": 64e-6 * heights**2})
+        assumed = Assumptions("", 0, {**TOGETHER, "road.roughness": 64e-6 * heights**2})
         values = over_roads(pool, assumed, roads, UNCONTROLLED)
         for loads in np.arange(1.0, 3.05, 0.1).tolist():
             factor = np.array([1, 1, loads, loads] * 2)
@@ -258,8 +244,7 @@ def free_fit(pool: Executor, roads: range) -> None:
 def without_a_fit(pool: Executor, roads: range) -> None:
     """Print the argument that fits nothing: pitch over body acceleration, the bare bump, loads over acceleration."""
     delayed, together = (
-        over_roads(pool, Assumptions(title="", count=0, changes=changes), roads, UNCONTROLLED)
-        for changes in (KMH_25, TOGETHER)
+        over_roads(pool, Assumptions("", 0, changes), roads, UNCONTROLLED) for changes in (KMH_25, TOGETHER)
     )
     rows = []
     for name in UNCONTROLLED:
@@ -323,7 +308,7 @@ def controls(pool: Executor) -> None:
         ("nearest, without preview", {**TOGETHER, **CLASS_C, "mpc.preview": "none"}, 2.0, (range(1, 21),)),
         ("as Ridelab reads the paper, without limits", {}, 1.0, (range(1, 21),)),
     ):
-        assumed = Assumptions(title=title, count=0, changes={**FREE, **changes}, loads=loads)
+        assumed = Assumptions(title, 0, {**FREE, **changes}, loads=loads)
         for roads in sets:
             values = over_roads(pool, assumed, roads, SIMULATED)
             rows.append([f"{title}, roads {roads[0]}-{roads[-1]}", *away(values), *changes_reached(values)])

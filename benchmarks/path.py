@@ -3,17 +3,15 @@
 The service runs in a process of its own under `sys.setprofile`, in all its threads; its worker processes are not
 counted. Each flow is asked for several times, and what counts is what every time enters, from the request until the
 service is at rest again: so what the service does by itself now and then is left out. Functions are told apart by the
-place of their definition; lambdas and comprehensions are counted by themselves, module bodies are not counted.
+place of their definition; lambdas, comprehensions and module bodies are not counted.
 `python -m benchmarks.path FOLDER FILE`, with an empty folder, writes each flow's functions into the file.
 """
 
 import contextlib
 import dis
-import http.client
 import json
 import os
 import signal
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -21,10 +19,11 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from itertools import pairwise
 from pathlib import Path
 from types import CodeType, FrameType
 from typing import Any
+
+import httpx
 
 from benchmarks.timing import table
 
@@ -34,42 +33,42 @@ STRATEGIES = ["lv", "lqr", "passive"]
 REPEATS = 5
 REST = 0.15  # after an answer the service comes to rest within this time [s]
 POLL_INTERVAL = 0.05  # of a batch [s]
-ANONYMOUS = ("<lambda>", "<listcomp>", "<dictcomp>", "<setcomp>", "<genexpr>")
+NO_FUNCTIONS = ("<module>", "<lambda>", "<listcomp>", "<dictcomp>", "<setcomp>", "<genexpr>")
 IDLE = {"RIDELAB_LOG_LEVEL": "warning"}
-HEAD = ["", "files", "functions", "lambdas, comprehensions", "calls", "changes of file"]
+HEAD = ["", "files", "functions"]
 BASELINE = {  # of 899e0802, by this same program
-    "POST /runs, new": (42, 162, 82, 851, 204),
-    "POST /runs, stored": (30, 88, 31, 367, 87),
-    "POST /live": (35, 124, 56, 531, 159),
-    "a batch of 6, with polls": (51, 182, 68, 1940, 785),
-    "POST /links": (38, 145, 52, 469, 150),
+    "POST /runs, new": (42, 162),
+    "POST /runs, stored": (30, 88),
+    "POST /live": (35, 124),
+    "a batch of 6, with polls": (51, 182),
+    "POST /links": (38, 145),
 }
 
 
 @dataclass(slots=True)
 class Entered:
-    """What of backend/ was entered in all threads, in order.
+    """What of backend/ was entered in all threads.
 
     Attributes:
         open: Whether entries are counted at the moment.
-        codes: The code of each entry.
+        codes: The functions.
     """
 
     open: bool = False
-    codes: list[CodeType] = field(default_factory=list)
+    codes: set[CodeType] = field(default_factory=set)
 
     def __call__(self, frame: FrameType, event: str, _: object) -> None:
         """Count an entry, as `sys.setprofile` calls it; a coroutine that goes on is none."""
         code = frame.f_code
         if not (self.open and event == "call" and code.co_filename.startswith(BACKEND)):
             return
-        if code.co_name != "<module>" and frame.f_lasti <= _first_instruction(code):
-            self.codes.append(code)
+        if code.co_name not in NO_FUNCTIONS and frame.f_lasti <= _first_instruction(code):
+            self.codes.add(code)
 
     @contextlib.contextmanager
-    def counting(self) -> Iterator[list[CodeType]]:
+    def counting(self) -> Iterator[set[CodeType]]:
         """Count in the block and until the service is at rest."""
-        codes = self.codes = []
+        codes = self.codes = set()
         self.open = True
         try:
             yield codes
@@ -92,22 +91,15 @@ class Asking:
     """Requests to the service over one connection."""
 
     def __init__(self, address: str) -> None:
-        self._connection = http.client.HTTPConnection(address.partition("://")[2], timeout=60)
+        self._client = httpx.Client(base_url=f"{address}/api/v1", timeout=60, trust_env=False)
 
     def __call__(self, method: str, path: str, body: object = None) -> Any:
         """Return the JSON of an answer.
 
         Raises:
-            RuntimeError: It is a problem.
+            httpx.HTTPStatusError: It is a problem.
         """
-        content = None if body is None else json.dumps(body).encode()
-        headers = {"Content-Type": "application/json"} if content else {}
-        self._connection.request(method, f"/api/v1{path}", content, headers)
-        answer = self._connection.getresponse()
-        text = answer.read()
-        if answer.status >= 400:
-            raise RuntimeError(text.decode())
-        return json.loads(text)
+        return self._client.request(method, path, json=body).raise_for_status().json()
 
 
 Flow = Callable[[Asking, int], Callable[[], object]]  # prepares, and returns what is counted
@@ -162,7 +154,7 @@ def run() -> None:
     """Print the counts of 899e0802, then those of now with files and functions as shares of it."""
     rows = []
     for name, counts in measure().items():
-        shares = [f"{100 * new / old:.0f} %" for new, old in zip(counts[:2], BASELINE[name][:2], strict=True)]
+        shares = [f"{100 * new / old:.0f} %" for new, old in zip(counts, BASELINE[name], strict=True)]
         rows.append([name, *counts, *shares])
     table(
         "What a request entered of backend/ in 899e0802", HEAD, [[name, *counts] for name, counts in BASELINE.items()]
@@ -171,7 +163,7 @@ def run() -> None:
 
 
 def measure() -> dict[str, tuple[int, ...]]:
-    """Return by flow the files, functions, lambdas and comprehensions, calls and changes of file."""
+    """Return by flow the number of files and of functions."""
     with tempfile.TemporaryDirectory() as folder:
         command = [sys.executable, "-m", "benchmarks.path", folder]
         done = subprocess.run(  # noqa: S603 - our own module, no shell
@@ -215,26 +207,12 @@ def _counted(ask: Asking, entered: Entered, listing: Path | None) -> dict[str, t
             with entered.counting() as codes:
                 flow()
             times.append(codes)
-        always = set.intersection(*map(set, times))
-        kept = [[code for code in codes if code in always] for codes in times]
-        named = {code for code in always if code.co_name not in ANONYMOUS}
-        counts[name] = (
-            len({code.co_filename for code in always}),
-            len(named),
-            len(always) - len(named),
-            int(statistics.median(map(len, kept))),
-            int(statistics.median(map(_file_changes, kept))),
-        )
+        always = set.intersection(*times)
+        counts[name] = (len({code.co_filename for code in always}), len(always))
         lines += [f"{name}\t{code.co_filename.removeprefix(BACKEND)}\t{code.co_qualname}" for code in always]
     if listing is not None:
         listing.write_text("\n".join(sorted(lines)))
     return counts
-
-
-def _file_changes(codes: list[CodeType]) -> int:
-    """Return how often an entry is in another file than the one before."""
-    files = [code.co_filename for code in codes]
-    return sum(one != other for one, other in pairwise(files))
 
 
 if __name__ == "__main__":

@@ -1,9 +1,6 @@
-"""Measuring: medians of repeats, fresh processes, and plain tables."""
+"""Measuring: medians of repeats, and plain tables."""
 
-import resource
 import statistics
-import subprocess
-import sys
 from collections.abc import Callable, Iterable, Sequence
 from time import process_time
 
@@ -21,19 +18,6 @@ def median_ms(work: Callable[[Scenario], object], cases: Iterable[Scenario]) -> 
         work(case)
         times.append(process_time() - begin)
     return statistics.median(times) * 1000
-
-
-def fresh_process(code: str) -> list[float]:
-    """Numbers that Python code prints in a process of its own."""
-    command = [sys.executable, "-c", code]
-    run = subprocess.run(command, capture_output=True, text=True, check=True)  # noqa: S603 - our own code, no shell
-    return [float(word) for word in run.stdout.split()]
-
-
-def peak_memory_mb() -> float:
-    """Largest resident memory of this process so far [MB]."""
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    return peak / (2**20 if sys.platform == "darwin" else 2**10)
 
 
 def table(title: str, head: Sequence[str], rows: Sequence[Sequence[object]]) -> None:
