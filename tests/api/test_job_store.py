@@ -1,4 +1,4 @@
-"""Sweeps in the store, on both databases: counts are right whichever service writes, in any order."""
+"""Jobs in the store, on both databases: each kind is counted right and committed once, whichever service writes."""
 
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
@@ -7,14 +7,13 @@ from typing import Any
 
 import orjson
 import pytest
-from sqlalchemy import update
 
-from backend.batches.rendering import as_json, columns
-from backend.db.tables import job_runs, links
+from backend.db.tables import links
 from backend.job_run import JobRun
 from backend.outcome import Outcome
 from backend.store import Store, StoredJob, StoredLink, jobs
 from backend.store.job import UNPLANNED
+from backend.store.trials import StoredTrial
 from tests.there import there
 
 RUNS = 12
@@ -177,41 +176,17 @@ def test_planning_adds_runs_in_pieces_begins_anew_and_stops_where_the_job_was_ca
     assert there(store.jobs.load(other.id)).state == "planning"
 
 
-def test_a_run_that_ends_after_its_batch_was_given_up_and_resumed_has_no_reason_of_before(
-    store: Store, batch: StoredJob
-) -> None:
-    store.jobs.fail(batch, "The disk is full")
-    with store.writing() as connection:  # as 0.3.0 left them
-        connection.execute(update(job_runs).values(reason="The disk is full"))
-    store.jobs.resume(batch.id)
-    results = [*computed("key-1"), *computed("key-2", status="failed")]
-    store.job_runs.save(batch.id, results, "1", {3: "It took too long"})
-    runs = store.job_runs.rows(batch.id, -1, 5)
-    assert [run.status for run in runs] == ["waiting", "ok", "failed", "failed", "waiting"]
-    assert columns(runs, [], [])["reason"] == [None, None, "too steep", "It took too long", None]
-    assert as_json(runs).count(b'"reason":') == 2
-    store.jobs.cancel(batch.id)
-    assert store.job_runs.rows(batch.id, -1, 1)[0].reason is None
-
-
 def test_pages_are_the_newest_first_and_hold_each_once(store: Store) -> None:
-    created = [
-        replace(BATCH, id=f"{number:02}", created_at=BATCH.created_at + timedelta(hours=number // 3))
-        for number in range(9)
-    ]
-    for job in created:
-        store.jobs.create(job, rows(job.id), None)
-    store.jobs.create(replace(BATCH, id="child", parent_id="00"), rows("child"), None)
-    store.jobs.set_label("04", "winter")
-    store.jobs.cancel("07")
+    """Also those of one moment; what a job submitted is not listed."""
+    for number in range(9):
+        created_at = BATCH.created_at + timedelta(hours=number // 3)
+        store.jobs.create(replace(BATCH, id=f"{number:02}", created_at=created_at))
+    store.jobs.create(replace(BATCH, id="child", parent_id="00"))
     listed: list[StoredJob] = []
     while page := store.jobs.page("sweep", 2, before=(listed[-1].created_at, listed[-1].id) if listed else None):
         listed += page
     assert [job.id for job in listed] == [f"{number:02}" for number in range(8, -1, -1)]
     assert {job.sweep for job in listed} == {None}, "an item of a list is small"
-    assert [job.id for job in store.jobs.page("sweep", 9, label="winter")] == ["04"]
-    assert [job.id for job in store.jobs.page("sweep", 9, state="cancelled")] == ["07"]
-    assert store.jobs.page("tuning", 9) == []
 
 
 def test_what_has_ended_is_deleted_with_its_children_unless_a_link_shows_it(
@@ -241,3 +216,106 @@ def test_what_has_ended_is_deleted_with_its_children_unless_a_link_shows_it(
     assert left[0] == RUNS - 5, "SQLite lets nobody else write meanwhile, and a job may have 100,000 rows"
     assert left[-1] == len(store.job_events.of(batch.id, 0)) == 0
     assert "key-0" in store.runs.load_results(["key-0"]), "others may share a result"
+
+
+TUNING = StoredJob(
+    id="t" * 22,
+    kind="tuning",
+    core_version="1",
+    schema_version=1,
+    request={"scenario": {"road": {"seed": 1}}, "seeds": [1, 2]},
+    progress={"step": "search", "attempt": 1, "generation": 0, "feasible": 0, "batch": None},
+    estimated_cost=1.5,
+    total=4,
+    request_hash="hash",
+    created_at=BATCH.created_at,
+)
+QUALITY = {"best": [0.1], "hypervolume": None}
+
+
+def trial(number: int, generation: int, *, ok: bool = True) -> StoredTrial:
+    return StoredTrial(
+        number=number,
+        generation=generation,
+        weights={"lqr.weights": [0.1, 1 / 3, 50.0]},
+        status="ok" if ok else "failed",
+        reason=None if ok else "lost",
+        feasible=ok,
+        values=[0.1 + 0.2, 1e-300] if ok else None,
+        limits=[] if ok else None,
+    )
+
+
+@pytest.fixture
+def tuning(store: Store) -> StoredJob:
+    return store.jobs.create(TUNING, idempotency_key="once")[0]
+
+
+def now(store: Store) -> StoredJob:
+    return there(store.jobs.load(TUNING.id))
+
+
+def add(store: Store, job: StoredJob, *trials: StoredTrial) -> bool:
+    """Commit a generation of these."""
+    generation = job.progress["generation"] + 1
+    return store.jobs.advance(
+        job,
+        event="progress",
+        details=QUALITY,
+        new_trials=trials,
+        progress=job.progress | {"generation": generation},
+        done=job.done + sum(each.status == "ok" for each in trials),
+    )
+
+
+def test_a_generation_is_committed_whole_and_once(store: Store, tuning: StoredJob) -> None:
+    trials = [trial(0, 0), trial(1, 0, ok=False)]
+    with ThreadPoolExecutor(6) as threads:  # two services that both believe they drive, and more
+        added = list(threads.map(lambda _: add(store, tuning, *trials), range(6)))
+    assert added.count(True) == 1
+    assert store.trials.of(TUNING.id) == trials, "to the last bit of each number"
+    job = now(store)
+    assert (job.progress["generation"], job.done) == (1, 1)
+    assert not store.jobs.advance(tuning, event=None, state="running"), "it is further than this one knows"
+    assert store.jobs.advance(job, event="state", state="running")
+    assert add(store, job, trial(2, 1), trial(3, 1))
+    assert [trial.number for trial in store.trials.of(TUNING.id)] == [0, 1, 2, 3]
+    assert [each["done"] for each in store.job_events.history(TUNING.id)] == [1, 3]
+    assert store.job_events.history(TUNING.id)[0]["best"] == [0.1]
+    events = [(event.number, event.kind) for event in store.job_events.of(TUNING.id, 0)]
+    assert events == [(1, "state"), (2, "progress"), (3, "state"), (4, "progress")]
+
+
+def test_what_was_cancelled_takes_no_more_until_it_is_resumed(store: Store, tuning: StoredJob) -> None:
+    add(store, tuning, trial(0, 0))
+    before = now(store)
+    store.jobs.cancel(TUNING.id)
+    assert now(store).state == "cancelled"
+    assert not add(store, before, trial(1, 1))
+    store.jobs.resume(TUNING.id, total=9, progress=before.progress | {"attempt": 2})
+    resumed = now(store)
+    assert (resumed.state, resumed.total, resumed.progress["attempt"]) == ("queued", 9, 2)
+    assert (resumed.progress["generation"], resumed.done, resumed.finished_at) == (1, 1, None)
+    # Whoever drove it before does not know yet that it was begun anew: nothing of theirs counts.
+    store.jobs.fail(before, "One of its batches was cancelled")
+    assert not add(store, before, trial(1, 1))
+    assert now(store) == resumed
+    store.jobs.resume(TUNING.id, total=10)
+    assert now(store) == resumed, "it has not ended"
+    store.jobs.fail(resumed, "no more")
+    assert (now(store).state, now(store).reason) == ("failed", "no more")
+    store.jobs.resume(TUNING.id)
+    assert now(store).reason is None
+
+
+def test_a_restart_drops_trials_and_begins_a_new_history(store: Store, tuning: StoredJob) -> None:
+    add(store, tuning, trial(0, 0))
+    store.jobs.advance(
+        now(store), event="restart", drop_trials=True, core_version="2", progress=TUNING.progress, done=0
+    )
+    assert store.trials.of(TUNING.id) == []
+    assert store.job_events.history(TUNING.id) == []
+    add(store, now(store), trial(0, 0))
+    assert len(store.job_events.history(TUNING.id)) == 1
+    kinds = [event.kind for event in store.job_events.of(TUNING.id, 0)]
+    assert kinds == ["state", "progress", "restart", "progress"]

@@ -10,7 +10,6 @@ import pytest
 
 from backend.http import spool
 from backend.runs import bands
-from backend.runs.series import most_samples, ordered_signals
 from sim_core.scenario import Scenario
 from tests.servers.batches import computed
 from tests.servers.process import HANG_TIMEOUT, wait_until
@@ -93,11 +92,9 @@ def test_tables_and_bands_are_the_same(client: httpx.Client, monkeypatch: pytest
 
 def test_no_room_is_said(client: httpx.Client, run: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(spool, "MAX_IN_MEMORY", 0)
-    path, query = f"/api/v1/runs/{run['id']}/series", {"strategy": "lv", "format": "csv"}
     monkeypatch.setattr(spool, "LEAST_FREE", 1 << 60)
-    full = client.get(path, params=query)
-    assert full.status_code == 503
-    assert full.json()["type"].endswith(":full")
+    full = client.get(f"/api/v1/runs/{run['id']}/series", params={"strategy": "lv", "format": "csv"})
+    assert (full.status_code, full.json()["type"].rpartition(":")[2]) == (503, "full")
     assert int(full.headers["retry-after"]) > 0
 
 
@@ -105,40 +102,22 @@ def test_space_is_reserved_before_anything_is_computed(
     service: Any, worker_calls: list[tuple[Any, ...]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(spool, "MAX_IN_MEMORY", 0)
-    body = {"scenario": {"road": {"length": 131.9}}, "strategies": ["passive"], "roads": 2}
-    run = service.post("/api/v1/runs", json=body).json()
-    sweep = {"list": [{"road.seed": 1}]}
-    batch = computed(service, scenario=body["scenario"], strategies=["passive"], sweep=sweep)["id"]
+    scenario = {"road": {"length": 131.9}}
+    run = service.run(["passive"], scenario, roads=2).json()
+    batch = computed(service, scenario=scenario, strategies=["passive"], sweep={"list": [{"road.seed": 1}]})["id"]
     files = service.services.curves.histories.spool
     worker_calls.clear()
     with monkeypatch.context() as limited:
         size = bands.Band.most_nbytes(Scenario.model_validate(run["scenario"]), "passive")
         limited.setattr(files, "_longest", 1.1 * size)  # the band's own file fits
         refused = service.get(f"/api/v1/runs/{run['id']}/bands")
-        assert refused.status_code == 422
-        assert refused.json()["type"].endswith(":cost-limit")
+        assert (refused.status_code, refused.json()["type"].rpartition(":")[2]) == (422, "cost-limit")
         assert "fewer" in refused.json()["detail"]
     with monkeypatch.context() as limited:
         limited.setattr(files._space, "total", 10.0)
         limited.setattr(files, "_longest", 1e9)
         assert service.get(f"/api/v1/batches/{batch}/table?figures=travel_time").status_code == 429
     assert not worker_calls
-    assert service.get(f"/api/v1/runs/{run['id']}/bands").status_code == 200
-    function, *_, cost = worker_calls[-1]
-    assert function is bands.render
-    assert cost > 0, "what takes long does not count as short"
-
-
-def test_the_length_of_bands_is_estimated(client: httpx.Client) -> None:
-    body = {"scenario": {"road": {"length": 131.8}}, "strategies": ["passive"], "roads": 2}
-    run = client.post("/api/v1/runs", json=body).json()
-    samples = most_samples(Scenario.model_validate(run["scenario"]), "passive")
-    for encoding in ("list", "base64"):
-        for signals in ("speed", "body_acceleration"):
-            query = {"signals": signals, "encoding": encoding, "points": 100_000}
-            answer = client.get(f"/api/v1/runs/{run['id']}/bands", params=query)
-            size = bands.text_size([samples], ordered_signals([signals]), None, encoding)
-            assert 0.75 * size < len(answer.content) < 1.05 * size
 
 
 def test_who_hangs_up_keeps_no_file(service: Any, folder: Path) -> None:

@@ -67,12 +67,20 @@ def test_a_road_is_known_by_its_content_and_the_same_when_its_export_is_sent(
 
 
 def test_heights_that_are_no_roads_are_cautioned(client: httpx.Client) -> None:
-    """Their International Roughness Index is below 0.1 or above 30 m/km: another unit was meant."""
-    for unit, kinds in (("um", ["iri"]), ("mm", []), ("in", ["iri"])):
-        road = send(client, FILE.replace("[mm]", f"[{unit}]").replace("0.1,", "0.1,1")).json()
+    """In words of their own: an index beyond any road's, for which another unit was meant, or no class of ISO 8608."""
+    waves = 10 * np.sin(2 * np.pi * X / 5) + 4 * np.sin(2 * np.pi * X / 2)
+    of_waves = HEAD + "".join(f"{x:.1f},{h:.3f}\n" for x, h in zip(X, waves, strict=True))
+    for content, kinds in (
+        (FILE, []),
+        (FILE.replace("[mm]", "[um]"), ["iri"]),
+        (FILE.replace("[mm]", "[in]"), ["iri"]),
+        (of_waves, ["spectrum"]),
+    ):
+        road = send(client, content.replace("0.1,", "0.1,1")).json()
         cautions = client.get(f"/api/v1/roads/{road['id']}").json()["cautions"]
         assert cautions == road["cautions"]
         assert [(each["kind"], each["field"]) for each in cautions] == [(kind, "road.profile") for kind in kinds]
+        assert "spectrum" not in kinds or road["iso_class"] is None
 
 
 def test_the_papers_bump_on_a_measured_road_is_cautioned(service: Service, sent: dict[str, Any]) -> None:
@@ -99,43 +107,37 @@ def test_runs_live_series_and_links_drive_it(service: Service, scenario: dict[st
 
 
 def test_a_batch_drives_several_roads(client: httpx.Client, scenario: dict[str, Any], sent: dict[str, Any]) -> None:
-    sweep = {"grid": {"road.profile": [sent["id"], None], "speed.target_speed_kmh": [20, 30]}}
-    body = {"scenario": scenario, "strategies": ["passive", "speed_only"], "sweep": sweep}
+    sweep = {"grid": {"road.profile": [sent["id"], None]}}
+    body = {"scenario": scenario, "strategies": ["passive"], "sweep": sweep}
     assert client.post("/api/v1/batches", json={**body, "dry_run": True}).json()["estimated_seconds"] > 0
     batch = computed(client, **body)["id"]
-    rows = rows_of(client, batch)
-    assert [row["status"] for row in rows] == ["ok"] * 8
-    peaks = {row["road.profile"]: row["metrics"]["bump"]["body_acceleration"]["peak"] for row in rows}
-    assert peaks[sent["id"]] > 3 * peaks[None], "the hump is in the profile"
+    measured, random = (row["metrics"]["bump"]["body_acceleration"]["peak"] for row in rows_of(client, batch))
+    assert measured > 3 * random, "the hump is in the profile"
     nominal = client.get(f"/api/v1/batches/{batch}/summary").json()["strategies"]["passive"]
-    assert nominal["figures"]["bump.body_acceleration.peak"]["nominal"] > 0
+    assert nominal["figures"]["bump.body_acceleration.peak"]["nominal"] == pytest.approx(measured)
 
 
 def test_a_scenario_without_a_length_ends_with_its_road(service: Service, sent: dict[str, Any]) -> None:
     """Runs, live ones, batches and solve drive and answer the road's own length; a given one is as it was."""
-    bump = {"height": 0, "start": 100}
-    scenario = {"road": {"profile": sent["id"], "bump": bump}}
-    run = service.run(["passive"], scenario).json()
+    road = {"profile": sent["id"], "bump": {"height": 0, "start": 100}}
+    run = service.run(["passive"], {"road": road}).json()
     assert run["scenario"]["road"]["length"] == sent["length"]
     assert service.run(["passive"], run["scenario"]).json()["id"] == run["id"], "the same run as with that length"
-    live = service.live(["passive"], scenario).json()
+    live = service.live(["passive"], {"road": road}).json()
     assert live["strategies"]["passive"]["travel_time"] == run["strategies"]["passive"]["travel_time"]
-    shorter = service.run(["passive"], {"road": {**scenario["road"], "length": 110}}).json()
+    shorter = service.run(["passive"], {"road": {**road, "length": 110}}).json()
     assert (shorter["scenario"]["road"]["length"], shorter["id"] == run["id"]) == (110, False)
-    question = {"strategy": "passive", "field": "road.bump.height", "range": [0.01, 0.1]}
-    limit = {"metric": "travel_time", "limit": 99}
-    solution = service.post("/api/v1/solve", json={**question, **limit, "scenario": scenario}).json()
+    question = {"strategy": "passive", "field": "road.bump.height", "range": [0.01, 0.1], "scenario": {"road": road}}
+    solution = service.post("/api/v1/solve", json={**question, "metric": "travel_time", "limit": 99}).json()
     solved = service.get(f"/api/v1/runs/{solution['run_id']}").json()
     assert solved["scenario"]["road"]["length"] == sent["length"]
-
-    def travel_times(road: dict[str, Any]) -> list[float | None]:
-        sweep = {"grid": {"road.profile": [sent["id"], None]}}
-        batch = computed(service, scenario={"road": {"bump": bump, **road}}, strategies=["passive"], sweep=sweep)
-        return [row.get("travel_time") for row in rows_of(service, batch["id"])]
-
-    speed = 50 / 3.6
-    assert travel_times({}) == [pytest.approx(length / speed) for length in (sent["length"], 150)]
-    assert travel_times({"length": 145}) == [None, pytest.approx(145 / speed)]
+    sweep = {"grid": {"road.profile": [sent["id"], None]}}
+    for given, lengths in ({}, (sent["length"], 150)), ({"length": 145}, (None, 145)):
+        scenario = {"road": {"bump": road["bump"], **given}}
+        batch = computed(service, scenario=scenario, strategies=["passive"], sweep=sweep)
+        assert [row.get("travel_time") for row in rows_of(service, batch["id"])] == [
+            length and pytest.approx(length / (50 / 3.6)) for length in lengths
+        ]
 
 
 def test_how_long_a_road_may_be_counts_what_the_profile_does_not_have(
@@ -145,12 +147,10 @@ def test_how_long_a_road_may_be_counts_what_the_profile_does_not_have(
     solution = client.post("/api/v1/solve", json={**body, "range": [120, 145]}).json()
     assert solution["value"] == pytest.approx(139.9, abs=0.02)
     assert solution["bracket"][1] > 139.9
-    (error,) = client.post("/api/v1/solve", json={**body, "range": [141, 145]}).json()["errors"]
-    assert error["pointer"] == "/range"
 
 
 def test_without_its_road_a_run_keeps_its_metrics_and_no_new_one_is_stored(
-    service: Service, scenario: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+    service: Service, scenario: dict[str, Any]
 ) -> None:
     road = send(service, FILE.replace("0.1,", "0.1,1")).json()["id"]
     there = {"road": {**scenario["road"], "profile": road}}
@@ -166,9 +166,8 @@ def test_without_its_road_a_run_keeps_its_metrics_and_no_new_one_is_stored(
     for histories in ("series", "figures", "figures/road"):
         answer = service.get(f"{path}/{histories}")
         assert (answer.status_code, answer.json()["type"].rpartition(":")[2]) == (410, "road-gone")
-    report = service.get(f"{path}/report.html")
-    assert report.status_code == 200
-    assert "They are gone. The measured road of this run is not stored any more" in report.text
+    report = service.get(f"{path}/report.html").text
+    assert "They are gone. The measured road of this run is not stored any more" in report
     with service.services.store.writing() as connection:
         expired = update(results).where(results.c.strategy == "passive").values(status="expired", summary="{}")
         connection.execute(expired)

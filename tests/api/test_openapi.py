@@ -9,17 +9,13 @@ import re
 import shutil
 import subprocess
 import sys
-import time
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
 import httpx
 import pytest
-from fastapi import FastAPI
 
 from backend import app
-from backend.http import openapi
 from backend.http.openapi import FIELDS, FIELDS_OF_MODELS
 from backend.library.models import PresetAnswer
 from backend.settings import Settings
@@ -50,30 +46,6 @@ def test_operations_have_names_of_their_own(description: dict[str, Any]) -> None
     assert len(set(names)) == len(names)
     assert all(re.fullmatch("[a-z]+[A-Za-z]*", name) for name in names)
     assert all(operation["description"] for operation in operations)
-
-
-def test_many_who_ask_for_it_at_once_wait_for_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    made = []
-
-    def make(**_: object) -> dict[str, Any]:
-        made.append(1)
-        time.sleep(0.1)
-        return {"components": {"schemas": {}}, "paths": {}}
-
-    monkeypatch.setattr(openapi, "get_openapi", make)
-    monkeypatch.setattr(openapi, "EXAMPLES", {})
-    with ThreadPoolExecutor(8) as clients:
-        answers = set(clients.map(openapi.encoded, 8 * [FastAPI()]))
-    assert len(answers) == len(made) == 1
-
-
-def test_whatever_reads_a_run_may_have_to_compute_it_again_and_says_so(description: dict[str, Any]) -> None:
-    """The client of these tests fails where an answer's status is not described."""
-    reading = [path for path in description["paths"] if path.startswith("/api/v1/runs/{id}")]
-    assert len(reading) > 5
-    operations = [description["paths"][path]["get"] for path in reading]
-    for operation in (*operations, description["paths"]["/api/v1/links"]["post"]):
-        assert {"410", "422", "429", "503"} <= operation["responses"].keys(), operation["operationId"]
 
 
 def test_every_address_is_documented_with_its_parameters(description: dict[str, Any]) -> None:

@@ -8,9 +8,10 @@ import pytest
 
 from sim_core.frequency.stability import least_damping
 from sim_core.scenario import Scenario
+from tests import wording
 from tests.api.conftest import ROAD, Service
 from tests.api.own_laws import LAW, SCENARIO, driven, own, told_of
-from tests.api.refusals import check_refused, refused
+from tests.api.refusals import check_refused
 from tests.api.tuning import begin, get, trials, wait_for
 from tests.servers.batches import computed
 
@@ -59,9 +60,9 @@ def test_options_are_fields_that_only_their_law_reads(service: Service) -> None:
     assert hard["mine"]["metrics"] != soft["mine"]["metrics"]
 
 
-@refused("own")
-def test_an_option_that_cannot_be_is_refused_at_its_field(service: Service, case: dict[str, Any]) -> None:
-    check_refused(service, case)
+@pytest.mark.parametrize("asked", wording.asked_in("own_refusals"))
+def test_an_option_that_cannot_be_is_refused_at_its_field(service: Service, asked: Any) -> None:
+    check_refused(service, "own_refusals", asked)
 
 
 def test_what_is_stored_of_a_law_that_is_gone_still_opens(service: Service, folder: Path) -> None:

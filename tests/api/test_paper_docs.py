@@ -155,12 +155,10 @@ def test_the_readme_names_both_counts(client: httpx.Client) -> None:
     answer = client.get("/api/v1/paper").json()
     default, favourable, _ = answer["interpretations"]
     text = " ".join((PAGE.parents[2] / "README.md").read_text(encoding="utf-8").split())
-    (own, own_ecu), (other, other_ecu) = (
-        (item["simulated"]["reached"], item["ecu"]["reached"]) for item in (default, favourable)
-    )
+    own, other = ((each["simulated"]["reached"], each["ecu"]["reached"]) for each in (default, favourable))
     for said in (
-        f"{default['reached']} are reached as Ridelab reads it, {own} of 40 simulated changes and {own_ecu} of 8 on",
-        f"{favourable['reached']} are reached by the favourable set of readings, {other} of 40 and {other_ecu} of 8",
+        f"{default['reached']} are reached as Ridelab reads it, {own[0]} of 40 simulated changes and {own[1]} of 8 on",
+        f"{favourable['reached']} are reached by the favourable set of readings, {other[0]} of 40 and {other[1]} of 8",
         f"lie {default['agreement']['within']} and {favourable['agreement']['within']} of the 40",
         f"without preview {answer['without_preview']['reached']} are reached",
     ):

@@ -5,7 +5,8 @@ from typing import Any
 import httpx
 import pytest
 
-from tests.api.refusals import check_refused, refused
+from tests import wording
+from tests.api.refusals import check_refused
 from tests.servers.batches import computed
 
 ROAD = "distance [m],height [mm]\n" + "".join(f"{x / 10},{x % 7}\n" for x in range(1400))
@@ -20,10 +21,8 @@ def ids(client: httpx.Client, run: dict[str, Any]) -> dict[str, str]:
     return {"RUN": run["id"], "ROAD": road["id"], "BATCH": batch["id"]}
 
 
-@refused("refused")
-def test_it_is_named_and_nothing_but_names_is_repeated(
-    client: httpx.Client, ids: dict[str, str], case: dict[str, Any]
-) -> None:
-    answer = check_refused(client, case, **ids)
+@pytest.mark.parametrize("asked", wording.asked_in("api_refusals"), ids=lambda asked: asked["path"])
+def test_it_is_named_and_nothing_but_names_is_repeated(client: httpx.Client, ids: dict[str, str], asked: Any) -> None:
+    answer = check_refused(client, "api_refusals", asked, **ids)
     for sent in ("my colour", "<script>", "HYPERLINK"):
         assert sent not in answer.text

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from sqlalchemy import event, update
+from sqlalchemy import update
 
 from backend.db.columns import UNCHECKED
 from backend.db.tables import REMOVED, jobs, results, roads
@@ -145,31 +145,6 @@ def test_a_link_that_waits_for_a_removal_finds_it_done(on_server: Store) -> None
         assert linking.result(HANG_TIMEOUT) is False
 
 
-def test_nothing_large_is_read_to_find_what_is_old(tmp_path: Path) -> None:
-    """Without WAL nobody can commit meanwhile; a row's columns behind its summary are found only by reading it."""
-    with closing(Store(f"sqlite:///{tmp_path}/ridelab.sqlite")) as store:
-        store.migrate()
-        asked: list[tuple[str, Any]] = []
-        event.listen(store.engine, "before_cursor_execute", lambda *each: asked.append((each[2], each[3])))
-        store.retention.size()
-        store.retention.oldest()
-        with store.reading() as connection:
-            for what in retention.REMOVABLE:
-                connection.execute(retention._page(what))
-        searches = [(text, values) for text, values in asked if text.startswith("SELECT")]
-        with store.engine.connect() as connection:
-            plans = [
-                str(row[3])
-                for text, values in searches
-                for row in connection.exec_driver_sql(f"EXPLAIN QUERY PLAN {text}", values)
-            ]
-    assert len(plans) > 10
-    assert not [plan for plan in plans if "TEMP B-TREE" in plan]
-    assert not [plan for plan in plans if plan.startswith("SCAN") and "INDEX" not in plan and " anon" not in plan], (
-        plans
-    )
-
-
 def test_rows_that_a_deletion_left_are_removed_where_nothing_else_is(store: Store) -> None:
     """The service ended in the middle of it."""
     assert store.jobs.delete("plain")
@@ -193,8 +168,8 @@ def test_an_expired_result_is_stored_again_whoever_computes_it(store: Store) -> 
     assert store.runs.load_results(["plain-1"]).keys() == {"plain-1"}
 
 
-def test_a_road_stays_as_long_as_a_run_or_a_job_names_it(store: Store) -> None:
-    names = ("nobody's", "a run's", "a job's", "a sweep's")
+def test_a_road_stays_while_it_is_young_and_as_long_as_a_run_or_a_job_names_it(store: Store) -> None:
+    names = ("nobody's", "a run's", "a job's", "a sweep's", "sent again")
     measured = {name: MeasuredRoad.of(np.full(600, index * 0.01)) for index, name in enumerate(names)}
     for road in measured.values():
         store.roads.save(road)
@@ -206,6 +181,7 @@ def test_a_road_stays_as_long_as_a_run_or_a_job_names_it(store: Store) -> None:
     store.jobs.create(replace(BATCH, id="sweep", request={"scenario": {"road": {}}}, sweep=grid))
     with store.writing() as connection:
         connection.execute(update(roads).values(created_at=LONG_AGO))
+    store.roads.save(measured["sent again"])
 
     def stored() -> list[str]:
         return [name for name in names if measured[name].id in store.roads.load([measured[name].id])]
@@ -213,23 +189,13 @@ def test_a_road_stays_as_long_as_a_run_or_a_job_names_it(store: Store) -> None:
     apply(store, retention_days=50)
     assert stored() == list(names), "not so old"
     apply(store, retention_days=30)
-    assert stored() == ["a run's", "a job's", "a sweep's"]
+    assert stored() == ["a run's", "a job's", "a sweep's", "sent again"]
     assert store.roads.load([measured["a run's"].id])[measured["a run's"].id].heights().tolist() == [0.01] * 600
     for name in ("job", "sweep"):
         store.jobs.cancel(name)
         assert store.jobs.delete(name)
     apply(store, retention_days=30)
-    assert stored() == ["a run's"]
-
-
-def test_a_road_that_is_sent_again_counts_from_then(store: Store) -> None:
-    road = MeasuredRoad.of(np.zeros(600))
-    store.roads.save(road)
-    with store.writing() as connection:
-        connection.execute(update(roads).values(created_at=LONG_AGO))
-    store.roads.save(road)
-    apply(store, retention_days=30)
-    assert store.roads.load([road.id]) == {road.id: road}
+    assert stored() == ["a run's", "sent again"]
 
 
 def test_the_oldest_goes_first_where_all_is_too_large(store: Store) -> None:
@@ -243,45 +209,33 @@ def test_the_oldest_goes_first_where_all_is_too_large(store: Store) -> None:
     assert "labelled-3" in store.runs.load_results(["labelled-3"])
 
 
-@pytest.fixture
-def expired(service: Service, request: pytest.FixtureRequest) -> Any:
-    """A run whose results were removed, as its POST answered."""
-    scenario = {"road": {"length": 12 + len(request.node.name) / 100, "bump": {"start": 5, "width": 2}}}
-    run, store = service.run(["passive", "lqr"], scenario).json(), service.services.store
+def test_a_failure_that_is_not_the_scenarios_does_not_take_the_place_of_what_expired(
+    service: Service, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is told, and the next time it is tried again."""
+    store, results_of = service.services.store, service.services.runs.results
+    scenario = {"road": {"length": 12.7, "bump": {"start": 5, "width": 2}}}
+    run = service.run(["passive", "lqr"], scenario).json()
     keys = [result.key for result in there(store.runs.load(run["id"])).results]
     with store.writing() as connection:
         connection.execute(update(results).where(results.c.key.in_(keys)).values(created_at=LONG_AGO))
     apply(store, retention_days=30)
-    assert there(store.runs.load(run["id"])).expired
-    return run
-
-
-def check_computed_again(service: Service, run: dict[str, Any]) -> None:
-    again = service.get(f"/api/v1/runs/{run['id']}").json()
-    assert again["core_version"] == run["core_version"]
-    for name, strategy in again["strategies"].items():
-        assert strategy["metrics"] == run["strategies"][name]["metrics"]
-    assert not there(service.services.store.runs.load(run["id"])).expired
-
-
-def test_a_failure_that_is_not_the_scenarios_does_not_take_their_place(
-    service: Service, expired: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """It is told, and the next time it is tried again."""
     call = service.services.workers.call
 
     async def away(*arguments: Any, **queued: Any) -> Any:
-        reason = failure_json("its road is away", UNAVAILABLE)
-        failed = {"status": "failed", "json": reason, "cacheable": False, "series": None}
-        return {name: replace(each, **failed) for name, each in (await call(*arguments, **queued)).items()}
+        failed = {"status": "failed", "json": failure_json("its road is away", UNAVAILABLE), "cacheable": False}
+        return {name: replace(each, **failed, series=None) for name, each in (await call(*arguments, **queued)).items()}
+
+    def answered() -> dict[str, Any]:
+        results_of.memory.clear()
+        answer: dict[str, Any] = service.get(f"/api/v1/runs/{run['id']}").json()["strategies"]
+        return answer
 
     with monkeypatch.context() as patch:
-        service.services.runs.results.memory.clear()
         patch.setattr(service.services.workers, "call", away)
-        answer = service.get(f"/api/v1/runs/{expired['id']}").json()["strategies"].values()
-    assert {(each["status"], each["kind"], each["reason"]) for each in answer} == {
-        ("failed", "unavailable", "its road is away")
-    }
-    assert there(service.services.store.runs.load(expired["id"])).expired
+        assert {(each["kind"], each["reason"]) for each in answered().values()} == {("unavailable", "its road is away")}
+    assert there(store.runs.load(run["id"])).expired
     assert 'ridelab_removed_total{what="results"}' in service.get("/metrics").text
-    check_computed_again(service, expired)
+    again = {name: each["metrics"] for name, each in answered().items()}
+    assert again == {name: each["metrics"] for name, each in run["strategies"].items()}
+    assert not there(store.runs.load(run["id"])).expired

@@ -1,17 +1,13 @@
 """Runs over several roads: means, intervals and paired changes; everything else of a run works on them."""
 
-import base64
-import hashlib
 import itertools
 from concurrent.futures import ThreadPoolExecutor
-from pathlib import Path
 from statistics import fmean
 from typing import Any
 
 import numpy as np
 import pytest
 
-from backend import digest
 from backend.means_over_roads import with_seeds
 from backend.runs import bands, histories
 from backend.runs.models import CreatedRun
@@ -19,7 +15,9 @@ from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, Roads
 from sim_core import Scenario, simulate
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, SIGNALS, STATISTICS, WINDOWS
 from sim_core.comparison.intervals import change_with_interval, mean_with_interval
+from tests import wording
 from tests.api.conftest import Service
+from tests.api.refusals import check_refused
 from tests.html import check, read
 
 SEED = 41
@@ -91,17 +89,6 @@ def test_it_is_stored_by_its_roads_and_baseline(service: Any, three: dict[str, A
     assert {**stored, "strategies": None} == {**three, "strategies": None}
 
 
-def test_ids_given_out_before_there_were_roads_stay() -> None:
-    """The content of an id, written out as it was."""
-    scenario, names = Scenario(), ["lqr", "passive"]
-    content = {**digest._program(names), "scenario": scenario.identity(), "strategies": names}
-    hashed = hashlib.sha256(digest.canonical(content)).digest()
-    before = base64.urlsafe_b64encode(hashed).decode().lstrip("-_")[: digest.RUN_ID_LENGTH]
-    assert digest.run_id(scenario, names) == digest.run_id(scenario, names, 1, None) == before
-    several = {digest.run_id(scenario, names, roads, baseline) for roads in (2, 3) for baseline in ("passive", "lqr")}
-    assert len({before, *several}) == 5
-
-
 @pytest.fixture(scope="module")
 def higher(service: Any, scenario: dict[str, Any]) -> Any:
     """The same roads with a higher bump, one strategy more."""
@@ -136,30 +123,13 @@ def test_changes_against_another_run_are_paired_by_road(
     assert f"+{change['mean']:.0f} ± {change['high'] - change['mean']:.0f}\u2009%" in report
 
 
-def test_changes_are_refused_against_other_roads(service: Any, three: dict[str, Any], scenario: dict[str, Any]) -> None:
-    body = {"strategies": ["passive"]}
-    one = post(service, scenario=scenario, **body).json()["id"]
-    others = {
-        "no run": "nothing",
-        "Number of roads: 1 ": one,
-        f"from seed {SEED - 9}": post(
-            service, scenario={"road": {**scenario["road"], "seed": SEED - 9}}, roads=3, **body
-        ).json()["id"],
-    }
-    for says, other in others.items():
-        refused = changes(service, three["id"], other)
-        assert refused.status_code == 422, refused.text
-        (error,) = refused.json()["errors"]
-        assert error["parameter"] == "against"
-        assert says in error["message"]
-    for query in ({}, {"against": three["id"], "baseline": "lqr"}):
-        refused = service.get(f"/api/v1/runs/{three['id']}/changes", params=query)
-        assert refused.json()["errors"][0]["parameter"] == "against"
-    absent = service.get(f"/api/v1/runs/{three['id']}/changes", params={"baseline": "lv"})
-    assert absent.json()["errors"][0]["parameter"] == "baseline"
-    alone = changes(service, one, one)
-    assert (alone.status_code, alone.json()["errors"][0]["parameter"]) == (422, "id")
-    assert changes(service, "nothing", three["id"]).status_code == 404
+@pytest.mark.parametrize("asked", wording.asked_in("roads_refusals"), ids=lambda asked: asked["query"])
+def test_changes_are_refused_against_other_roads(
+    service: Service, three: dict[str, Any], scenario: dict[str, Any], asked: Any
+) -> None:
+    one = service.run(["passive"], scenario).json()["id"]
+    other = service.run(["passive"], {"road": {**scenario["road"], "seed": SEED - 9}}, roads=3).json()["id"]
+    check_refused(service, "roads_refusals", asked, THREE=three["id"], ONE=one, OTHER=other)
 
 
 def test_more_roads_compute_only_what_is_new(service: Any, three: dict[str, Any], scenario: dict[str, Any]) -> None:
@@ -171,14 +141,6 @@ def test_more_roads_compute_only_what_is_new(service: Any, three: dict[str, Any]
     last = post(service, scenario=fourth, strategies=["lqr", "passive"]).json()["strategies"]
     for name, entry in four["strategies"].items():
         assert entry["compute_ms"] == pytest.approx(before[name] + last[name]["compute_ms"])
-
-
-def test_the_cost_is_that_of_all_roads(service: Any) -> None:
-    body = {"scenario": {"road": {"length": 1000}}, "strategies": ["lv_hil"]}
-    response = post(service, **body, roads=50)
-    assert response.status_code == 422
-    assert response.json()["type"].endswith("cost-limit")
-    assert "fewer" in response.json()["detail"]
 
 
 def test_a_failure_on_one_road_is_the_strategys_and_names_the_seed(service: Service, lqr_fails: int) -> None:
@@ -232,65 +194,30 @@ def test_bands_are_mean_and_extremes_of_the_single_runs(
     assert "one road" in service.get(f"/api/v1/runs/{one}/bands").json()["detail"]
 
 
-def test_bands_are_driven_once_in_slices_and_refused_of_another_core(
-    service: Any, road: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+def test_bands_are_driven_once_within_limits_and_refused_of_another_core(
+    service: Any, road: dict[str, Any], monkeypatch: pytest.MonkeyPatch, worker_calls: list[tuple[Any, ...]]
 ) -> None:
-    """Two equal requests at once drive each road once; a third, for fewer points, none."""
-    body = {"scenario": {"road": {**road, "seed": 600}}, "strategies": ["lqr", "passive"], "roads": 6}
-    run = post(service, **body).json()["id"]
-    workers, slices = service.services.workers, []
-    original = workers.call
+    """Two equal requests at once drive each strategy once; a third, for fewer points, none."""
+    scenario = {"road": {**road, "seed": 600}}
+    run = service.run(["lqr", "passive"], scenario, roads=6).json()["id"]
 
-    async def counted(function: Any, *arguments: Any, **queued: Any) -> Any:
-        result = await original(function, *arguments, **queued)
-        if function is bands.drive:
-            _, name, (_, done), _ = arguments
-            slices.extend([name] * (result - done))
-        return result
+    def asked(points: int, more: str = "") -> Any:
+        return service.get(f"/api/v1/runs/{run}/bands?points={points}{more}")
 
-    monkeypatch.setattr(workers, "call", counted)
-    monkeypatch.setattr(bands, "LONGEST_TASK", 0.0)
-
-    def asked(points: int) -> Any:
-        return service.get(f"/api/v1/runs/{run}/bands", params={"points": points})
-
+    with monkeypatch.context() as limited:  # counted before anything is driven
+        sizes = [bands.Band.most_nbytes(Scenario.model_validate(scenario), name) for name in ("lqr", "passive")]
+        limited.setattr(bands, "MAX_BYTES", sum(sizes) - 1)
+        refused = asked(60)
+        assert (refused.status_code, "fewer strategies" in refused.json()["detail"]) == (422, True)
+        assert asked(60, "&strategy=lqr").status_code == 200
     with ThreadPoolExecutor(2) as threads:
         answers = [each.json() for each in threads.map(asked, [500, 500])]
     fewer = asked(60).json()
-    assert sorted(slices) == ["lqr"] * 6 + ["passive"] * 6
+    assert sum(call[0] is bands.drive for call in worker_calls) == 2, "one task a strategy"
     assert answers[0] == answers[1]
     Bands.model_validate(answers[0])
     assert (answers[0]["roads"], list(answers[0]["strategies"])) == (6, ["lqr", "passive"])
     assert len(fewer["strategies"]["lqr"]["mean"]["time"]) < len(answers[0]["strategies"]["lqr"]["mean"]["time"])
-
-    refused = service.get(f"/api/v1/runs/{run}/bands?strategy=lv")
-    assert refused.status_code == 422
-    assert "lqr, passive" in refused.json()["detail"]
     monkeypatch.setattr(histories, "CORE_VERSION", "9.0.0")
     gone = asked(60)
-    assert gone.status_code == 410
-    assert gone.json()["type"].endswith("other-core-version")
-
-
-def test_bands_take_limited_memory(
-    service: Any, road: dict[str, Any], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    """A worker's is counted before anything is driven; here they lie in files."""
-    body = {"scenario": {"road": {**road, "seed": 700}}, "strategies": ["lqr", "passive"], "roads": 2}
-    run = post(service, **body).json()
-    scenario = Scenario.model_validate(run["scenario"])
-    sizes = [bands.Band.most_nbytes(scenario, name) for name in ("lqr", "passive")]
-    for name, size in zip(("lqr", "passive"), sizes, strict=True):
-        file = tmp_path / name
-        file.touch()
-        assert bands.drive([scenario], name, (file, 0), file) == 1
-        assert size / 2 < file.stat().st_size < 1.05 * size
-
-    def asked(query: str = "") -> Any:
-        return service.get(f"/api/v1/runs/{run['id']}/bands?points=60{query}")
-
-    monkeypatch.setattr(bands, "MAX_BYTES", sum(sizes) - 1)
-    refused = asked()
-    assert refused.status_code == 422
-    assert "fewer strategies" in refused.json()["detail"]
-    assert asked("&strategy=lqr").status_code == 200
+    assert (gone.status_code, gone.json()["type"].rpartition(":")[2]) == (410, "other-core-version")

@@ -11,7 +11,6 @@ from backend.batches.robustness import FIGURES, UNCERTAINTIES
 from backend.batches.summary_models import RobustnessDefaults
 from sim_core.scenario import dotted
 from tests.servers.batches import computed
-from tests.servers.process import wait_until
 
 # Nobody else's, so that nothing is stored yet; short, so that it is quick.
 BASE: dict[str, Any] = {"road": {"length": 92, "bump": {"start": 70}}, "speed": {"detection_distance": 50}}
@@ -89,20 +88,6 @@ def test_the_nominal_values_are_those_of_the_batchs_own_scenario(client: httpx.C
                 value = value[step]
             # Another process: the blocks a law is computed in may differ in their last bits.
             assert figure["nominal"] == pytest.approx(value, rel=1e-9, abs=1e-9), key
-
-
-def test_a_running_batch_is_summarised_by_its_finished_runs(client: httpx.Client) -> None:
-    body = {"scenario": {**BASE, "road": {**BASE["road"], "seed": 77}}, "strategies": ["passive"]}
-    sweep = {"latin_hypercube": {"ranges": {"mismatch.body_mass": [0.8, 1.2]}, "samples": 100}}
-    batch = client.post("/api/v1/batches", json={**body, "sweep": sweep}).json()["id"]
-    assert read(client, batch)["points"] in (0, 100), "it may not be planned yet"
-    wait_until(lambda: client.get(f"/api/v1/batches/{batch}").json()["total"], "it is planned")
-    summary = read(client, batch)
-    of = summary["strategies"]["passive"]
-    assert summary["baseline"] == "passive"
-    assert of["ok"] + of["unfinished"] == 100
-    assert of["figures"][PEAK]["n"] == of["ok"]
-    client.post(f"/api/v1/batches/{batch}/cancel")
 
 
 def test_the_defaults_are_ranges_that_a_batch_takes(client: httpx.Client) -> None:

@@ -1,5 +1,6 @@
 """POST and GET of runs: every field of the contract, and what is computed again."""
 
+import copy
 import itertools
 import json
 from base64 import b64encode
@@ -11,7 +12,7 @@ from backend.digest import run_id
 from backend.runs.answers import run_answer
 from backend.runs.models import CreatedRun, LiveRun, Run
 from backend.runs.service import Runs
-from sim_core import Scenario, StrategyResult, __version__, simulate
+from sim_core import Scenario, __version__, simulate
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STATISTICS, WINDOWS
 from tests.api.conftest import Service
 
@@ -22,10 +23,6 @@ lengths = itertools.count(1)
 def unseen(road: dict[str, Any]) -> dict[str, Any]:
     """A scenario that no test has run yet."""
     return {"road": {**road, "length": 130 + 1e-3 * next(lengths)}}
-
-
-def plain(result: StrategyResult) -> dict[str, Any]:
-    return dict(result.summary())
 
 
 def test_a_run_has_the_numbers_of_the_core_under_the_contracts_names(run: dict[str, Any], road: dict[str, Any]) -> None:
@@ -40,7 +37,7 @@ def test_a_run_has_the_numbers_of_the_core_under_the_contracts_names(run: dict[s
         assert (entry["status"], entry["cached"], entry["compute_ms"] > 0) == ("ok", False, True)
         for part, names in (("comfort", COMFORT), ("events", EVENTS), ("reference", REFERENCES)):
             assert set(entry[part]) == set(names)
-        expected = plain(simulate(scenario, name))
+        expected = dict(simulate(scenario, name).summary())
         for window, signal, statistic in itertools.product(WINDOWS, METRIC_SIGNALS, STATISTICS):
             assert entry["metrics"][window][signal][statistic] == pytest.approx(
                 expected["metrics"][window][signal][statistic], rel=1e-9, abs=1e-12
@@ -49,34 +46,22 @@ def test_a_run_has_the_numbers_of_the_core_under_the_contracts_names(run: dict[s
             assert entry[key] == pytest.approx(expected[key], rel=1e-12)
 
 
-def computed(entry: dict[str, Any]) -> dict[str, Any]:
-    """A strategy's entry without its computing time: another request may have stored the same result first."""
-    return {key: value for key, value in entry.items() if key not in ("cached", "compute_ms")}
-
-
 def test_it_is_stored_and_got_with_a_tag(service: Service, run: dict[str, Any]) -> None:
-    client = service
     again = service.run(["lv", "lqr", "passive"], run["scenario"]).json()
     assert again["id"] == run["id"]
     assert all(entry["cached"] for entry in again["strategies"].values())
-    response = client.get(f"/api/v1/runs/{run['id']}")
-    assert response.status_code == 200
-    answer = response.json()
-    assert "cached" not in answer["strategies"]["lv"]
-    assert {key: value for key, value in answer.items() if key != "strategies"} == {
-        key: value for key, value in run.items() if key != "strategies"
-    }
-    assert {name: computed(entry) for name, entry in answer["strategies"].items()} == {
-        name: computed(entry) for name, entry in run["strategies"].items()
-    }
+    response = service.get(f"/api/v1/runs/{run['id']}")
     Run.model_validate(response.json())
+    for answer in (stored := response.json(), run := copy.deepcopy(run)):
+        for entry in answer["strategies"].values():
+            del entry["compute_ms"]  # another request may have stored the same result first
+            entry.pop("cached", None)
+    assert stored == run
     tag = response.headers["etag"]
     for header in (tag, tag.removeprefix("W/"), f'"other", {tag}', "*"):
-        cached = client.get(f"/api/v1/runs/{run['id']}", headers={"If-None-Match": header})
-        assert cached.status_code == 304
-        assert cached.content == b""
-        assert cached.headers["etag"] == tag
-    assert client.get(f"/api/v1/runs/{run['id']}", headers={"If-None-Match": '"other"'}).status_code == 200
+        cached = service.get(f"/api/v1/runs/{run['id']}", headers={"If-None-Match": header})
+        assert (cached.status_code, cached.content, cached.headers["etag"]) == (304, b"", tag)
+    assert service.get(f"/api/v1/runs/{run['id']}", headers={"If-None-Match": '"other"'}).status_code == 200
 
 
 def test_what_a_client_has_is_asked_for_again_and_sent_only_where_a_release_answers_otherwise(
@@ -96,21 +81,17 @@ def test_what_a_client_has_is_asked_for_again_and_sent_only_where_a_release_answ
     assert service.get(unknown, headers={"If-None-Match": "*"}).status_code == 404
 
 
-def assert_same_in_binary(strategies: dict[str, Any], response: Any) -> None:
-    """JSON, then the numbers of all time histories as they are, uncompressed."""
-    assert response.headers["content-type"] == "application/octet-stream"
-    assert "content-encoding" not in response.headers
-    length = int.from_bytes(response.content[:4], "little")
-    entries, numbers = json.loads(response.content[4 : 4 + length])["strategies"], response.content[4 + length :]
-    for name, entry in entries.items():
-        described = entry.pop("series")
-        for signal in described["signals"]:
-            assert (
-                strategies[name]["series"][signal]["bdata"] == b64encode(numbers[: 4 * described["samples"]]).decode()
-            )
-            numbers = numbers[4 * described["samples"] :]
-        assert entry == {key: value for key, value in strategies[name].items() if key != "series"}
+def read_binary(content: bytes) -> dict[str, Any]:
+    """Return the strategies of an answer of JSON and, after it, the numbers of all time histories as they are."""
+    length = int.from_bytes(content[:4], "little")
+    strategies, numbers = json.loads(content[4 : 4 + length])["strategies"], content[4 + length :]
+    for entry in strategies.values():
+        samples = 4 * entry["series"]["samples"]
+        parts = {name: numbers[samples * i :][:samples] for i, name in enumerate(entry["series"]["signals"])}
+        numbers = numbers[samples * len(parts) :]
+        entry["series"] = {name: b64encode(part).decode() for name, part in parts.items()}
     assert (numbers, length % 4) == (b"", 0)
+    return dict(strategies)
 
 
 def test_live_answers_series_and_stores_nothing(service: Any, unseen: dict[str, Any]) -> None:
@@ -126,7 +107,12 @@ def test_live_answers_series_and_stores_nothing(service: Any, unseen: dict[str, 
         assert list(entry["series"]) == list(SIGNALS)
     again = service.live(["lv", "passive"], unseen).json()["strategies"]
     assert all(entry["cached"] for entry in again.values())
-    assert_same_in_binary(again, service.live(["lv", "passive"], unseen, encoding="binary"))
+    binary = service.live(["lv", "passive"], unseen, encoding="binary")
+    assert binary.headers["content-type"] == "application/octet-stream"
+    assert "content-encoding" not in binary.headers
+    for entry in again.values():
+        entry["series"] = {name: packed["bdata"] for name, packed in entry["series"].items()}
+    assert read_binary(binary.content) == again
     posted = service.run(["lv", "passive"], unseen).json()
     assert all(entry["cached"] for entry in posted["strategies"].values()), "what a drag computed is stored as it is"
     for name, entry in posted["strategies"].items():
@@ -139,14 +125,8 @@ def test_a_refused_strategy_fails_alone_and_says_why(service: Service, lqr_fails
     scenario = {"road": {"length": 131.9, "seed": lqr_fails}}
     answer = service.run(["lqr", "passive"], scenario).json()
     CreatedRun.model_validate(answer)
-    assert answer["strategies"]["lqr"] == {
-        "status": "failed",
-        "cached": False,
-        "compute_ms": 1.0,
-        "reason": "no controller",
-        "kind": "refused",
-        "fields": [],
-    }
+    failure = {"status": "failed", "reason": "no controller", "kind": "refused", "fields": []}
+    assert answer["strategies"]["lqr"] == {**failure, "cached": False, "compute_ms": 1.0}
     assert answer["strategies"]["passive"]["status"] == "ok"
     stored = service.get(f"/api/v1/runs/{answer['id']}").json()
     assert stored["strategies"]["lqr"]["reason"] == "no controller"
@@ -177,15 +157,7 @@ def test_a_rule_base_of_its_own_changes_those_that_slow_down_and_comes_back_as_i
     ("policy", "expected"), [("by_strategy", [["lqr", "lv"], ["passive"]]), ("planned", [["lqr", "lv", "passive"]])]
 )
 def test_strategies_of_one_speed_plan_share_a_worker(
-    service: Any, unseen: dict[str, Any], monkeypatch: pytest.MonkeyPatch, policy: str, expected: list[list[str]]
+    service: Service, unseen: dict[str, Any], worker_calls: list[Any], policy: str, expected: list[list[str]]
 ) -> None:
-    workers, tasks = service.services.workers, []
-    original = workers.call
-
-    async def counted(function: Any, scenario: Scenario, keys: dict[str, str], *arguments: Any, **queued: Any) -> Any:
-        tasks.append(sorted(keys))
-        return await original(function, scenario, keys, *arguments, **queued)
-
-    monkeypatch.setattr(workers, "call", counted)
     service.run(["lv", "lqr", "passive"], unseen | {"speed": {"policy": policy}}).raise_for_status()
-    assert sorted(tasks) == expected
+    assert sorted(sorted(keys) for _, _, keys, *_ in worker_calls) == expected

@@ -70,9 +70,9 @@ def test_chosen_signals_come_with_time_and_position(client: httpx.Client, addres
     assert table(client, address, strategy="lv", signals="speed")[0] == ["time [s]", "position [m]", "speed [m/s]"]
 
 
-@pytest.mark.parametrize("points", [100, 800])
-def test_peaks_survive_decimation(client: httpx.Client, address: str, run: dict[str, Any], points: int) -> None:
+def test_peaks_survive_decimation(client: httpx.Client, address: str, run: dict[str, Any]) -> None:
     """Each window's peak of each signal is still in the few points; the metrics' may be higher."""
+    points = 100
     for strategy, entry in run["strategies"].items():
         few, all_points = (
             {key: unpack(value) for key, value in client.get(address, params=query).json()["series"].items()}
@@ -102,7 +102,7 @@ def test_live_series_are_those_of_the_stored_run(service: Any, address: str, sig
     assert live == service.get(address, params=query).json()["series"]
 
 
-@pytest.mark.parametrize("start", [1.0, 100.0, 143.0])
+@pytest.mark.parametrize("start", [1.0, 143.0])
 def test_the_bump_alone_keeps_its_peaks(start: float) -> None:
     """And has a sample on either side, where the road goes on there."""
     result = simulate(Scenario.model_validate({"road": {"bump": {"start": start}}}), "lv")

@@ -140,12 +140,3 @@ def test_what_a_field_does_not_change_and_what_cannot_be_driven_is_said(client: 
     assert beyond.bracket == (18, 18.01), "the road ends at 118 m"
     assert "The bump must end before the road does" in beyond.warnings[0]
     assert beyond.runs < len(beyond.tried)
-
-
-def test_the_cost_of_all_that_may_be_tried_is_limited_before_anything_is_driven(
-    client: httpx.Client, worker_calls: list[tuple[Any, ...]]
-) -> None:
-    response = ask(client, **{**HEIGHT, "strategy": "lv_hil"}, range=[0.05, 0.2], limit=4, roads=50)
-    assert response.status_code == 422
-    assert response.json()["type"].endswith(":cost-limit")
-    assert not worker_calls

@@ -19,6 +19,7 @@ from sim_core import __version__
 from tests.servers.process import wait_until
 
 MARK = "Zz9PlaintextMark"
+LABELS = {"kind", "status", "outcome", "reason", "method", "route", "state", "version", "python", "le", "what"}
 Samples = dict[tuple[str, tuple[tuple[str, str], ...]], float]
 
 
@@ -39,20 +40,19 @@ def grown(before: Samples, after: Samples, name: str, **labels: str) -> float:
 
 
 def test_runs_and_the_cache_are_counted(service: Any) -> None:
-    before = samples(service)
+    """A stored run is a hit for each of its strategies."""
     scenario = {"road": {"length": 137.5, "bump": {"start": 90}}}
-    assert service.run(["passive", "lqr"], scenario).status_code == 200
-    between = samples(service)
-    assert grown(before, between, "ridelab_runs_total", kind="interactive", status="ok") == 2
-    assert grown(before, between, "ridelab_cache_total", outcome="miss") == 2
-    assert service.run(["passive"], scenario).status_code == 200
-    after = samples(service)
-    assert grown(between, after, "ridelab_runs_total", kind="interactive", status="ok") == 0
-    assert grown(between, after, "ridelab_cache_total", outcome="hit") == 1
-    assert grown(between, after, "ridelab_cache_total", outcome="miss") == 0
-    assert service.run(["passive", "lqr"], scenario).status_code == 200
-    whole = samples(service)
-    assert grown(after, whole, "ridelab_cache_total", outcome="hit") == 2, "one a strategy of a stored run"
+    for strategies, runs, hits, misses in (
+        (["passive", "lqr"], 2, 0, 2),
+        (["passive"], 0, 1, 0),
+        (["passive", "lqr"], 0, 2, 0),
+    ):
+        before = samples(service)
+        service.run(strategies, scenario).raise_for_status()
+        after = samples(service)
+        assert grown(before, after, "ridelab_runs_total", kind="interactive", status="ok") == runs
+        assert grown(before, after, "ridelab_cache_total", outcome="hit") == hits
+        assert grown(before, after, "ridelab_cache_total", outcome="miss") == misses
 
 
 def test_steps_without_an_answer_of_the_solver_are_counted(client: httpx.Client) -> None:
@@ -63,30 +63,24 @@ def test_steps_without_an_answer_of_the_solver_are_counted(client: httpx.Client)
     assert grown(before, after, "ridelab_runs_total", kind="batch", status="failed") == 1
 
 
-def test_latency_goes_by_route_template_and_status_class(client: httpx.Client) -> None:
+def test_latency_and_refusals_go_by_route_template_status_class_and_reason(client: httpx.Client) -> None:
     before = samples(client)
-    assert client.get(f"/api/v1/runs/{MARK}").status_code == 404
-    assert client.head("/api/v1/runs/other").status_code == 404
-    assert client.get(f"/{MARK}").status_code == 404
-    assert client.get(f"/assets/{MARK}.js").status_code == 404
-    assert client.request(MARK.upper(), "/healthz").status_code == 405
+    asked = {
+        ("GET", f"/api/v1/runs/{MARK}"): ("GET", "/api/v1/runs/{id}"),
+        ("HEAD", "/api/v1/runs/other"): ("HEAD", "/api/v1/runs/{id}"),
+        ("GET", f"/{MARK}"): ("GET", "none"),
+        ("GET", f"/assets/{MARK}.js"): ("GET", "/assets/{file}"),
+        (MARK.upper(), "/healthz"): ("other", "/healthz"),
+    }
+    for method, path in asked:
+        assert client.request(method, path).status_code in (404, 405)
+    long, json_body = b" " * 1_100_000, {"Content-Type": "application/json"}
+    assert client.post("/api/v1/runs", content=long, headers=json_body).status_code == 413
     after = samples(client)
-
-    def count(method: str, route: str, status: str) -> float:
-        return grown(before, after, "ridelab_request_seconds_count", method=method, route=route, status=status)
-
-    assert count("GET", "/api/v1/runs/{id}", "4xx") == 1
-    assert count("HEAD", "/api/v1/runs/{id}", "4xx") == 1
-    assert count("GET", "none", "4xx") == 1
-    assert count("GET", "/assets/{file}", "4xx") == 1
-    assert count("other", "/healthz", "4xx") == 1
-
-
-def test_refusals_are_counted_by_reason(client: httpx.Client) -> None:
-    before = samples(client)
-    response = client.post("/api/v1/runs", content=b" " * 1_100_000, headers={"Content-Type": "application/json"})
-    assert response.status_code == 413
-    assert grown(before, samples(client), "ridelab_refused_total", reason="too-long") == 1
+    for method, route in asked.values():
+        count = grown(before, after, "ridelab_request_seconds_count", method=method, route=route, status="4xx")
+        assert count == 1, (method, route)
+    assert grown(before, after, "ridelab_refused_total", reason="too-long") == 1
 
 
 def test_gauges_tell_what_is_held_now(service: Any) -> None:
@@ -121,19 +115,7 @@ def test_metrics_hold_nothing_of_anybodys_scenario(service: Any, run: dict[str, 
     assert run["id"] not in text
     assert str(service.services.settings.data_dir) not in text
     labels = {key for _, labels_of_sample in samples(service) for key, _ in labels_of_sample}
-    assert labels <= {
-        "kind",
-        "status",
-        "outcome",
-        "reason",
-        "method",
-        "route",
-        "state",
-        "version",
-        "python",
-        "le",
-        "what",
-    }
+    assert labels <= LABELS
 
 
 def test_a_requests_name_is_used_where_it_is_harmless(client: httpx.Client) -> None:

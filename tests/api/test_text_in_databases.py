@@ -1,19 +1,12 @@
 """Text that a database could fail on: PostgreSQL takes no NUL and no value longer than its column."""
 
-import shutil
 from collections.abc import Iterator
-from contextlib import closing
-from pathlib import Path
 from typing import Any
 
 import httpx
 import pytest
-from sqlalchemy import update
 
-from backend.db.tables import jobs
-from backend.store import Store
 from tests.api.conftest import TOKENS, Service
-from tests.api.test_job_store import BATCH
 from tests.api.test_problems import check
 from tests.servers.process import HANG_TIMEOUT
 
@@ -53,11 +46,6 @@ def test_an_address_with_control_characters_names_nothing(client: httpx.Client) 
         assert problem.errors[0].parameter == name
 
 
-def test_a_sweep_over_roads_that_are_no_ids_is_refused(client: httpx.Client) -> None:
-    body = {**SWEEP, "sweep": {"grid": {"road.profile": ["a\0b"]}}}
-    check(client.post("/api/v1/batches", json=body), 422, "invalid-request")
-
-
 def test_the_longest_key_of_the_longest_name_is_one(client: httpx.Client) -> None:
     keys = ["k" * 255, "k" * 254 + "l", "short"]
     first, again = (
@@ -67,13 +55,3 @@ def test_the_longest_key_of_the_longest_name_is_one(client: httpx.Client) -> Non
     ids = [answer.json()["id"] for answer in first]
     assert [answer.json()["id"] for answer in again] == ids
     assert len(set(ids)) == 3
-
-
-def test_a_long_key_that_sqlite_stored_as_it_was_still_matches(migrated_sqlite: Path, tmp_path: Path) -> None:
-    """Until 0.3.0: SQLite holds columns to no length."""
-    key = f"{OWNER} {'k' * 255}"
-    with closing(Store(f"sqlite:///{shutil.copy(migrated_sqlite, tmp_path)}")) as store:
-        store.jobs.create(BATCH, (), "short")
-        with store.writing() as connection:
-            connection.execute(update(jobs).values(idempotency_key=key))
-        assert store.jobs.by_idempotency_key("sweep", key) == BATCH
