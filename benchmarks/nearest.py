@@ -28,8 +28,6 @@ from sim_core.catalogue import BUMP, PAPER_SIGNALS, PEAK, WHOLE
 from sim_core.loop.excitation import excite
 from sim_core.loop.run import Run
 from sim_core.metrics.evaluate import evaluate
-from sim_core.metrics.recorder import make_recorder
-from sim_core.metrics.windows import windows_of
 from sim_core.scenario import Scenario, dotted
 from sim_core.scenario.road import RearAxle
 from sim_core.scenario.vehicle import GRAVITY
@@ -74,9 +72,7 @@ def rear_late(scenario: Scenario, strategy: str) -> FloatArray:
 
 def metrics_as_driven(run: Run) -> FloatArray:
     """Drive a prepared run."""
-    windows = windows_of(run)
-    recorder = make_recorder(run, windows)
-    return metrics_of(evaluate(run, windows, recorder, run.drive(recorder)))
+    return metrics_of(evaluate(run))
 
 
 def braking_at_once(scenario: Scenario, strategy: str) -> FloatArray:

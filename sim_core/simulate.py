@@ -6,8 +6,6 @@ from sim_core.errors import RidelabError
 from sim_core.loop.excitation import excite, step_sizes
 from sim_core.loop.run import Run, requested_preview
 from sim_core.metrics.evaluate import evaluate
-from sim_core.metrics.recorder import make_recorder
-from sim_core.metrics.windows import windows_of
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Road, Scenario
 from sim_core.speed.profile import make_speed_profile
@@ -39,10 +37,7 @@ def simulate(scenario: Scenario, strategy: str | type[Controller] | Controller) 
         >>> result.series["body_acceleration"].shape == result.series["time"].shape
         True
     """
-    run = prepare(scenario, strategy)
-    windows = windows_of(run)
-    recorder = make_recorder(run, windows)
-    return evaluate(run, windows, recorder, run.drive(recorder))
+    return evaluate(prepare(scenario, strategy))
 
 
 def on_dummy_road(scenario: Scenario) -> Scenario:

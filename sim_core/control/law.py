@@ -69,7 +69,7 @@ class LinearLaw:
             limits = np.zeros((0, LAW_INPUTS + preview_gain.shape[1]))
         if limits.shape[1] != LAW_INPUTS + preview_gain.shape[1]:
             raise RefusedError("A linear law's preview_gain and limits have columns for as many control steps")
-        return LawDesign(gain=np.hstack([self.gain, preview_gain]), limits=limits)
+        return LawDesign(np.hstack([self.gain, preview_gain]), limits)
 
     def force(
         self, state: FloatArray, previous_force: FloatArray, disturbances: FloatArray | None = None

@@ -18,8 +18,6 @@ from sim_core.control.controller import Controller
 from sim_core.control.law import LinearLaw
 from sim_core.frequency.responses import NEGLIGIBLE, modes
 from sim_core.frequency.sampled_loop import SampledLoop, sampled_loop
-from sim_core.loop.closed_loop import control_law_context
-from sim_core.loop.preview import Forecast
 from sim_core.scenario import Scenario, Vehicle
 from sim_core.scenario.damper import slopes_at_rest, straight
 from sim_core.simulate import on_dummy_road, prepare
@@ -29,12 +27,7 @@ from sim_core.vehicle.make import make_vehicle
 _SETTLED = 8.0  # by then only the motion of a loop with unequal dampers that dies out last is left [s]
 _BLOCK = 100  # control steps after which its motion is brought back to size 1
 _STILL = np.zeros((2, _BLOCK + 1)), np.zeros(_BLOCK)  # road and braking
-_NO_PREVIEW = Forecast(
-    disturbances=np.zeros((DISTURBANCES, _BLOCK, 0)),
-    source=np.zeros(0),
-    preview_norms=np.zeros((1 + DISTURBANCES, _BLOCK)),
-    height_now=np.zeros((2, _BLOCK)),
-)
+_NO_PREVIEW = np.zeros((DISTURBANCES, _BLOCK, 0)), np.zeros(0), np.zeros((1 + DISTURBANCES, _BLOCK))
 
 
 def least_damping(scenario: Scenario, strategy: str | type[Controller] | Controller) -> float | None:
@@ -109,7 +102,7 @@ def _last_motion(loop: SampledLoop) -> float:
     car = make_vehicle(loop.vehicle, loop.run.actuator, step, 1, *_STILL, estimator=estimator)
     motion = np.ones((_BLOCK + 1, len(loop.closed)))
     law = LinearLaw(gain=loop.law.gain).design
-    follow = car.follow_law(control_law_context(_NO_PREVIEW, np.full(3, inf), clips=True), motion)
+    follow = car.follow_law(motion, *_NO_PREVIEW, np.full(3, inf), clips=True)
     eigenvalues, vectors = np.linalg.eig(loop.closed)
     to_modes = np.linalg.pinv(vectors)[np.abs(eigenvalues) > NEGLIGIBLE].T
     blocks = ceil(_SETTLED / (step * _BLOCK))

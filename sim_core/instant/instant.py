@@ -7,17 +7,22 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.blas import single_threaded
+from sim_core.caching import cached
 from sim_core.control.controller import Controller, linear_force
 from sim_core.control.law import LinearLaw
 from sim_core.control.plan import Limit, Plan
-from sim_core.control.seen import Seen
-from sim_core.instant.drive import Drive, cached_drive, driven
+from sim_core.control.seen import RunInputs, Seen
+from sim_core.errors import RidelabError
 from sim_core.instant.why import why
 from sim_core.kernel.prepared import limit_force
+from sim_core.loop.closed_loop import Trajectory, read_only
+from sim_core.loop.run import Run
 from sim_core.scenario import Preview, Scenario
+from sim_core.simulate import prepare
 from sim_core.strategies import controller_for, strategy_named
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 
+_NEAR = 1e-9  # of the drive, for rounding
 _ACTING = slice(8, 10)  # forces among the recorded signals
 # What a linear law multiplies, and where among [state; previous force; road velocities and deceleration ahead].
 _STATE_PARTS = {
@@ -27,6 +32,60 @@ _STATE_PARTS = {
     "wheel_motion": slice(6, 8),
     "previous_force": slice(8, 10),
 }
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Drive:
+    """A run after its drive.
+
+    Attributes:
+        run: With its controller, whose `end` was called.
+        trajectory: What was driven.
+        inputs: What `Seen` reported.
+    """
+
+    run: Run
+    trajectory: Trajectory
+    inputs: RunInputs
+
+    def step_at(self, position: float | None, time: float | None) -> int:
+        """Return the control step in which the front axle is at a position [m], or at a time [s].
+
+        Raises:
+            RidelabError: It is outside the road, or not one of both is given.
+        """
+        grid, stages = self.run.excitation.grid, self.run.stages
+        if (position is None) == (time is None):
+            raise RidelabError("An instant is at a position or at a time")
+        asked, starts = (position, grid.position) if time is None else (time, grid.time[:-1])
+        end = stages[-1].end_position if time is None else stages[-1].end_time
+        assert asked is not None  # noqa: S101 - one of both is given
+        if not 0 <= asked <= end:
+            unit = "m" if time is None else "s"
+            raise RidelabError(f"The drive goes from 0 to {end:.4g} {unit}")
+        return max(int(starts.searchsorted(asked + _NEAR * end, side="right")) - 1, 0)
+
+    def seen(self, step: int, *, answered: bool = False) -> Seen:
+        """What the controller saw in that step; `answered`: its previous force is its last answer, arrived or not."""
+        row, car, trajectory = step * self.run.steps.short, self.trajectory.car, self.trajectory
+        now = read_only(trajectory.loop[row])
+        previous = now[car.size :]
+        if answered:
+            answers = trajectory.requested[:step]
+            answers = answers[~np.isnan(answers).any(axis=1)]
+            previous = read_only(answers[-1]) if len(answers) else np.zeros(FORCES)
+        return Seen(self.inputs, car, step, row, now[: car.size], previous)
+
+
+def _driven(scenario: Scenario, strategy: type[Controller] | Controller) -> Drive:
+    """Drive a run."""
+    run = prepare(scenario, strategy)
+    trajectory, forecast = run.drive(), run.forecast(run.preview, run.preview_steps)
+    return Drive(run=run, trajectory=trajectory, inputs=run.inputs(forecast))
+
+
+# For classes that a strategy's id stands for: those that are handed over may change, and their objects too.
+_cached_drive = cached(_driven)
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -128,9 +187,9 @@ def instant(
     """
     if isinstance(strategy, str):
         strategy = strategy_named(strategy)
-        drive = cached_drive(scenario, strategy)
+        drive = _cached_drive(scenario, strategy)
     else:
-        drive = driven(scenario, strategy)
+        drive = _driven(scenario, strategy)
     seen = drive.seen(drive.step_at(position, time))
     controller = controller_for(strategy, scenario)
     try:
@@ -143,8 +202,8 @@ def instant(
 
 
 def _instant(drive: Drive, seen: Seen, law: LinearLaw | None, plan: Plan | None) -> Instant:
-    run, trajectory, step = drive.run, drive.recording.trajectory, seen.step
-    row, size = step * run.steps.short, drive.recording.car.size
+    run, trajectory, step = drive.run, drive.trajectory, seen.step
+    row, size = step * run.steps.short, trajectory.car.size
     asked: FloatArray | None = trajectory.requested[step]
     if np.isnan(trajectory.requested[step]).any():
         asked = None if law is None else linear_force(law, seen)
@@ -154,7 +213,7 @@ def _instant(drive: Drive, seen: Seen, law: LinearLaw | None, plan: Plan | None)
     command = trajectory.loop[row + 1, size:]
     planned = () if plan is None else plan.limits
     limits = (*planned, *_actuator_limits(drive, asked, seen.previous_force, planned=bool(planned)))
-    parts, acting = None if law is None else _parts(law, seen), drive.sample(step)[_ACTING]
+    parts, acting = None if law is None else _parts(law, seen), trajectory.sample(row, row + 1)[_ACTING, 0, 0]
     return Instant(
         step=step,
         sample_time=drive.inputs.sample_time,

@@ -132,7 +132,7 @@ def above_chords(samples: FloatArray, layout: FloatArray, position: FloatArray) 
 
 
 def window_sizes(previewed: FloatArray, horizon: int, sizes: FloatArray) -> None:
-    """Fill `ControlLawContext.preview_norms` (4, windows) of what is previewed (3, windows + horizon - 1)."""
+    """Fill `Forecast.preview_norms` (4, windows) of what is previewed (3, windows + horizon - 1)."""
     kinds, count = previewed.shape
     require(kinds == _DISTURBANCES and 0 < horizon <= count, "A window of both roads and braking")
     require(sizes.shape == (1 + _DISTURBANCES, count - horizon + 1), "Four sizes of each window")

@@ -5,7 +5,6 @@ C-contiguous, or cannot be written into. The arrays live as long as what is call
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -54,34 +53,33 @@ def limit_force(limits: FloatArray, wanted: FloatArray, previous: FloatArray, co
     return bool(_limit_force(limits, wanted, previous, command))
 
 
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class LawDesign:
-    """A law of control and its limits, as loop.h has them.
+    """A linear controller and its limits, as loop.h has them.
 
-    Attributes:
+    Args:
         gain: On the state, the previous force and what is previewed (2, 10 + 3 · horizon).
         limits: (rows, 10 + 3 · horizon).
+
+    Attributes:
+        inputs: How many numbers it multiplies.
+        horizon: Control steps that it previews.
         prepared: All of it, as C has it.
 
     Raises:
         ValueError: Sizes disagree.
     """
 
-    gain: FloatArray
-    limits: FloatArray
-    prepared: CStruct = field(init=False, repr=False)
-
-    def __post_init__(self) -> None:
-        """Check the arrays and hand them to C."""
-        (rows, inputs), horizon = self.limits.shape, self.horizon
-        require(inputs == _LAW_INPUTS + _DISTURBANCES * horizon and horizon >= 0, "Limits on everything the law knows")
-        require(self.gain.shape == (_FORCES, inputs), "A gain for everything the law knows")
-        arrays = self.gain, self.limits, *self._row_bounds(horizon)
+    def __init__(self, gain: FloatArray, limits: FloatArray) -> None:
+        rows, self.inputs = limits.shape
+        self.gain, self.limits, self.horizon = gain, limits, (self.inputs - _LAW_INPUTS) // _DISTURBANCES
+        fits = self.inputs == _LAW_INPUTS + _DISTURBANCES * self.horizon and self.horizon >= 0
+        require(fits and gain.shape == (_FORCES, self.inputs), "Gains and limits on all that the controller knows")
+        arrays = gain, limits, *self._row_bounds()
         for each in arrays:
-            each.flags.writeable = False  # a law is shared by runs
-        object.__setattr__(self, "prepared", _prepare_law_design.prepare(rows, horizon, *arrays))
+            each.flags.writeable = False  # it is shared by runs
+        self.prepared = _prepare_law_design.prepare(rows, self.horizon, *arrays)
 
-    def _row_bounds(self, horizon: int) -> tuple[FloatArray, FloatArray]:
+    def _row_bounds(self) -> tuple[FloatArray, FloatArray]:
         """`scale` (10,) and `bounds` (groups, 117) of loop.h.
 
         The norms of each row's parts are of that on state and force in units that make their largest gain 1, on the
@@ -91,7 +89,7 @@ class LawDesign:
         rows = np.zeros((groups, _GROUP, self.inputs))
         rows.reshape(-1, self.inputs)[: len(self.limits)] = self.limits
         on_state = rows[:, :, :_LAW_INPUTS]
-        by_disturbance = rows[:, :, _LAW_INPUTS:].reshape(groups, _GROUP, _DISTURBANCES, horizon)
+        by_disturbance = rows[:, :, _LAW_INPUTS:].reshape(groups, _GROUP, _DISTURBANCES, self.horizon)
         scale = np.abs(on_state).max(axis=(0, 1), initial=0.0)
         state = np.linalg.norm(on_state / np.where(scale > 0, scale, 1.0), axis=2)
         mean = np.abs(by_disturbance[:, :, 2].sum(axis=2))
@@ -99,57 +97,6 @@ class LawDesign:
         most = np.column_stack([state.max(axis=1), others.max(axis=1)])
         by_number = [part.transpose(0, 2, 1).reshape(groups, _GROUP * part.shape[2]) for part in (on_state, others)]
         return scale, np.hstack([*by_number, most])
-
-    @property
-    def inputs(self) -> int:
-        """How many numbers the law multiplies."""
-        return len(self.gain[0])
-
-    @property
-    def horizon(self) -> int:
-        """Control steps that it previews."""
-        return (self.inputs - _LAW_INPUTS) // _DISTURBANCES
-
-
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class ControlLawContext:
-    """What the laws of control of one run share, as loop.h has it.
-
-    Attributes:
-        horizon: Control steps that are previewed.
-        preview: An array with all that is previewed.
-        strides: How many numbers further the next kind of disturbance and the next control step are in it.
-        preview_norms: Magnitudes of what is previewed in each step, for the last four of the norms (4, steps).
-        force_limits: As `limit_force` has them (3,).
-        clips: Whether a force beyond the limit is clipped, or not decided by a law.
-    """
-
-    horizon: int
-    preview: FloatArray
-    strides: tuple[int, int]
-    preview_norms: FloatArray
-    force_limits: FloatArray
-    clips: bool
-
-    def prepared(self) -> CStruct:
-        """Return what C gets.
-
-        Raises:
-            ValueError: Sizes disagree.
-        """
-        steps, (kind, step), horizon = self.preview_norms.shape[1], self.strides, self.horizon
-        beyond = (_DISTURBANCES - 1) * kind + (steps - 1) * step + horizon
-        require(len(self.preview_norms) == 1 + _DISTURBANCES, "Four magnitudes in each step")
-        fits = min(kind, step, horizon) >= 0 and (beyond <= self.preview.size or not horizon)
-        require(fits, "What is previewed in every step")
-        numbers = np.array([kind, step, steps, self.clips, *self.force_limits], dtype=np.float64)
-        inputs = np.empty(_LAW_INPUTS + _DISTURBANCES * horizon)
-        return _prepare_run_inputs.prepare(numbers, self.preview, self.preview_norms, inputs)
-
-    @property
-    def steps(self) -> int:
-        """Control steps of the run."""
-        return len(self.preview_norms[0])
 
 
 FollowLaw = Callable[[LawDesign, Qp | None, int, int], tuple[int, int]]
@@ -215,29 +162,50 @@ class DrivenCar:
         )
         self.size, self._steps, self.fine = states + (_STATES if estimates else 0), steps, fine
 
-    def follow_law(self, shared: ControlLawContext, loop: FloatArray) -> FollowLaw:
-        """Drive it by laws.
+    def follow_law(
+        self,
+        loop: FloatArray,
+        disturbances: FloatArray,
+        source: FloatArray,
+        preview_norms: FloatArray,
+        force_limits: FloatArray,
+        *,
+        clips: bool,
+    ) -> FollowLaw:
+        """Drive it by linear controllers.
 
         Args:
-            shared: By all of them.
             loop: [p; previous command] before each step and after the last (steps + 1, size + 2).
+            disturbances: What is previewed in each step (3, steps, horizon), perhaps a view of
+            source: A C-contiguous array that begins with it.
+            preview_norms: Of each step's, as loop.h has them (4, steps).
+            force_limits: As `limit_force` has them (3,).
+            clips: Whether a force beyond the limit is clipped, or not decided by the controller.
 
         Returns:
-            A law, what decides the steps in which one of its limits binds (None where C does not), from which step on
-            and before which one it is to be driven -> the first step that the law does not decide, and in how many
+            A controller, what decides the steps in which one of its limits binds (None where C does not), from which
+            step on and before which one it is to be driven -> the first step that it does not decide, and in how many
             before it a limit shaped the command.
 
         Raises:
             ValueError: Sizes disagree.
         """
-        require(shared.steps == self._steps, "What is previewed in every step")
         self._check(loop)
+        steps, horizon = self._steps, disturbances.shape[2]
+        kind, step, _ = (stride // disturbances.itemsize for stride in disturbances.strides)
+        beyond = (_DISTURBANCES - 1) * kind + (steps - 1) * step + horizon
+        fits = min(kind, step) >= 0 and (beyond <= source.size or not horizon)
+        fits &= disturbances.shape[:2] == (_DISTURBANCES, steps) and preview_norms.shape == (1 + _DISTURBANCES, steps)
+        require(fits, "What is previewed in every step")
+        numbers = np.array([kind, step, steps, clips, *force_limits], dtype=np.float64)
+        inputs = np.empty(_LAW_INPUTS + _DISTURBANCES * horizon)
+        shared = _prepare_run_inputs.prepare(numbers, source, preview_norms, inputs)
         limited = np.zeros(1, dtype=np.intc)
-        follow = _follow_law.bind(self._prepared, shared.prepared(), loop, limited)
+        follow = _follow_law.bind(self._prepared, shared, loop, limited)
 
         def follow_from(law: LawDesign, qp: Qp | None, first: int, last: int) -> tuple[int, int]:
             require(0 <= first <= last <= self._steps, "No steps beyond the drive")
-            require(law.horizon in (0, shared.horizon), "A law of what is previewed")
+            require(law.horizon in (0, horizon), "A controller of what is previewed")
             design, memory = qp or (None, None)
             of_qp = memory.both(design, law.inputs) if memory and design else (None, None)
             limited[0] = 0

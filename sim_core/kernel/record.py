@@ -42,6 +42,7 @@ class Recorder:
         kinks: Of the bumps, ascending to infinity [m].
 
     Attributes:
+        ends: As above.
         integrals: Of the signals' squares over each section (sections, 8).
         peaks: Their largest magnitude in each, the tyre loads' at kinks of the road too (sections, 8).
         samples: Of the step that is being driven (fine + 1, 10).
@@ -85,6 +86,7 @@ class Recorder:
         places = [0, *ends.ravel().tolist(), on_record]
         require(all(a <= b for a, b in pairwise(places)), "Sections ascend within the record")
         require(weighted_samples <= on_record + 1, "No sample beyond the record is weighted")
+        self.ends = ends
         self.integrals, self.peaks = np.zeros((sections, _METRICS)), np.zeros((sections, _METRICS))
         self._totals = np.zeros(_TOTALS)
         self.samples = np.empty((fine + 1, SIGNALS))

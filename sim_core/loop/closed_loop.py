@@ -13,9 +13,9 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller
 from sim_core.control.law import LinearLaw
-from sim_core.control.seen import RunInputs, Seen
+from sim_core.control.seen import RunInputs, Seen, Setup
 from sim_core.errors import ForceError, RefusedError
-from sim_core.kernel.prepared import ControlLawContext, DrivenCar, FollowLaw, limit_force
+from sim_core.kernel.prepared import DrivenCar, FollowLaw, limit_force
 from sim_core.loop.preview import Forecast
 from sim_core.speed.stages import Segment
 from sim_core.vehicle.half_car import FORCES
@@ -26,16 +26,25 @@ class Trajectory:
     """What was driven.
 
     Attributes:
+        car: What was driven.
         loop: [p; previous command] before each of the car's steps and after the last (steps + 1, n + 2).
         requested: Forces that the controller gave (steps, 2) [N]; NaN where it was not asked, or no command came.
         limited: Control steps in which a limit bound.
         held_commands: Commands that never took effect, of a delayed controller.
     """
 
+    car: DrivenCar
     loop: FloatArray
     requested: FloatArray
     limited: int
     held_commands: int | None = None
+
+    def sample(self, first: int, last: int) -> FloatArray:
+        """Return the signals of the car's steps from `first` to before `last`, as in record.h (10, n, fine + 1).
+
+        A row has those of a held command, from the value after the command has changed to that before it does again.
+        """
+        return self.car.sample(first, last, self.loop)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -66,9 +75,8 @@ class ClosedLoop:
                 raise RefusedError(f"{self.controller.label}: linear_law gives a LinearLaw or None")
             if law.design.horizon not in (0, self.forecast.disturbances.shape[2]):
                 raise RefusedError("A linear law has three columns for each control step that is previewed")
-            follow = follow or self.car.follow_law(
-                control_law_context(self.forecast, self.force_limits, clips=clips), loop
-            )
+            seen = self.forecast.disturbances, self.forecast.source, self.forecast.preview_norms
+            follow = follow or self.car.follow_law(loop, *seen, self.force_limits, clips=clips)
             qp = self.controller.qp(segment.stage)
             while k < segment.last:
                 k, shaped = follow(law.design, qp, k, segment.last)
@@ -76,7 +84,7 @@ class ClosedLoop:
                 if k < segment.last:
                     self._step(k, loop, requested)
                     limited, k = limited + 1, k + 1
-        return Trajectory(loop=loop, requested=requested, limited=limited)
+        return Trajectory(car=self.car, loop=loop, requested=requested, limited=limited)
 
     def _step(self, k: int, loop: FloatArray, requested: FloatArray) -> bool:
         """Drive one control step by the controller; whether a limit of forces or actuators shaped its command."""
@@ -90,23 +98,69 @@ class ClosedLoop:
         return limited or self.controller.report.limited_steps > counted
 
 
-def control_law_context(forecast: Forecast, force_limits: FloatArray, *, clips: bool) -> ControlLawContext:
-    """Return what a run's laws share.
+@dataclass(frozen=True, slots=True, eq=False)
+class DelayedLoop:
+    """The loop of a controller whose commands arrive later: the car goes in short steps, each of which one may begin.
 
-    Args:
-        forecast: What its controller previews.
-        force_limits: As `limit_force` has them.
-        clips: Whether a force beyond the limit is clipped, or not decided by the law.
+    The controller is asked at the control instants; what it answers takes effect at the short step that `arrivals`
+    says, or never. The actuators hold the newest command that has arrived. Limits of forces are as `limit_force` has
+    them, of the change in a short step.
     """
-    kind, step, _ = (stride // forecast.disturbances.itemsize for stride in forecast.disturbances.strides)
-    return ControlLawContext(
-        horizon=forecast.disturbances.shape[2],
-        preview=forecast.source,
-        strides=(kind, step),
-        preview_norms=forecast.preview_norms,
-        force_limits=force_limits,
-        clips=clips,
-    )
+
+    controller: Controller
+    car: DrivenCar
+    inputs: RunInputs
+    setup: Setup
+    force_limits: FloatArray
+
+    def run(self) -> Trajectory:
+        """Drive from rest, without a command before the first arrives; a row of the trajectory is a short step."""
+        car, steps, n = self.car, self.setup.steps, self.setup.short_steps
+        loop = np.zeros((steps * n + 1, car.size + FORCES))  # [car; previous command] before every short step
+        arrivals = self._arrivals()
+        newest = [-1] * (steps * n)  # the command that arrives at a short step, the newest of several
+        requested = np.full((steps, FORCES), np.nan)  # by command [N]
+        used = np.zeros(steps, dtype=bool)
+        held, present, limited = -1, np.zeros(FORCES), 0  # -1: no command yet
+        settled, bound = True, False  # whether the actuators change no more, and whether their limits hold them back
+        for k in range(steps):
+            counted = self.controller.report.limited_steps
+            seen = Seen(self.inputs, car, k, k * n, read_only(loop[k * n, : car.size]), read_only(present))
+            force = self.controller.force(seen)
+            shaped = self.controller.report.limited_steps > counted
+            if force is not None:
+                requested[k] = checked_force(self.controller, force, seen)
+                if arrivals[k] < steps * n:
+                    newest[arrivals[k]] = k
+            for i in range(k * n, k * n + n):
+                command = loop[i + 1, car.size :]
+                if newest[i] > held:
+                    held, settled = newest[i], False
+                    used[held] = True
+                if settled:
+                    command[:] = present
+                else:
+                    bound = limit_force(self.force_limits, requested[held], present, command)
+                    settled, present = np.array_equal(command, present), command
+                shaped |= bound
+                car.advance(i, loop)
+            limited += shaped
+        held_commands = int(np.count_nonzero(~used[: steps - 1]))  # the last one would take effect after the run
+        return Trajectory(car=car, loop=loop, requested=requested, limited=limited, held_commands=held_commands)
+
+    def _arrivals(self) -> list[int]:
+        """Return the controller's, if each command arrives after it was asked for.
+
+        Raises:
+            RidelabError: They are no such numbers.
+        """
+        steps, n = self.setup.steps, self.setup.short_steps
+        arrivals = np.asarray(self.controller.arrivals(self.setup))
+        if arrivals.shape != (steps,) or arrivals.dtype.kind not in "iu" or (arrivals < np.arange(steps) * n).any():
+            message = "arrivals gives one whole number for each control step, none before its own step"
+            raise RefusedError(f"{self.controller.label}: {message}")
+        short_steps: list[int] = arrivals.tolist()
+        return short_steps
 
 
 def checked_force(controller: Controller, force: object, seen: Seen) -> FloatArray:

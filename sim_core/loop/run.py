@@ -14,8 +14,7 @@ from sim_core.control.seen import RunInputs, Setup
 from sim_core.errors import RefusedError
 from sim_core.kernel.prepared import DrivenCar
 from sim_core.kernel.record import Recorder
-from sim_core.loop.closed_loop import ClosedLoop, Trajectory
-from sim_core.loop.delayed_loop import DelayedLoop
+from sim_core.loop.closed_loop import ClosedLoop, DelayedLoop, Trajectory
 from sim_core.loop.excitation import Excitation, StepSizes, above_chords
 from sim_core.loop.preview import Forecast, preview
 from sim_core.result import Span
@@ -69,28 +68,6 @@ def _sets(controller: Controller, *names: str) -> bool:
     return any(name in vars(each) for each in (controller, *classes) for name in names)
 
 
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Recording:
-    """What a run leaves behind.
-
-    Attributes:
-        car: What was driven.
-        trajectory: Its states and commands.
-        first: Its first step on record.
-    """
-
-    car: DrivenCar
-    trajectory: Trajectory
-    first: int
-
-    def table(self, commands: slice) -> FloatArray:
-        """Return the samples of each signal that are on record, as record.h orders them (10, commands, fine + 1).
-
-        A row has those of a held command, from the value after the command has changed to that before it does again.
-        """
-        return self.car.sample(self.first + commands.start, self.first + commands.stop, self.trajectory.loop)
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Run:
     """One run, before it is driven.
@@ -120,6 +97,11 @@ class Run:
     segments: Sequence[Segment]
 
     @property
+    def first_step(self) -> int:
+        """The car's first step on record."""
+        return self.excitation.grid.run_in_steps * self.steps.short
+
+    @property
     def actuator(self) -> Actuator:
         """Between commands and forces: ideal where there is none."""
         return self.scenario.actuator if self.controller.actuated else Actuator()
@@ -145,7 +127,7 @@ class Run:
             rear_axle_offset=scenario.rear_axle_offset,
         )
 
-    def drive(self, recorder: Recorder | None = None) -> Recording:
+    def drive(self, recorder: Recorder | None = None) -> Trajectory:
         """Drive it.
 
         Args:
@@ -164,13 +146,10 @@ class Run:
             if (controller.preview, controller.preview_steps) != asked_for:
                 raise RefusedError(f"{controller.label}: preview and prediction_horizon are set before start")
             if controller.delayed:
-                trajectory = DelayedLoop(controller, car, inputs, setup, force_limits).run()
-            else:
-                loop = ClosedLoop(controller, car, inputs, forecast, force_limits)
-                trajectory = loop.run(self.segments)
+                return DelayedLoop(controller, car, inputs, setup, force_limits).run()
+            return ClosedLoop(controller, car, inputs, forecast, force_limits).run(self.segments)
         finally:
             controller.end()
-        return Recording(car=car, trajectory=trajectory, first=self.excitation.grid.run_in_steps * self.steps.short)
 
     def forecast(self, mode: Preview, horizon: int) -> Forecast:
         """Return what is expected over so many control steps ahead."""

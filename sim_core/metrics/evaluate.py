@@ -6,26 +6,46 @@ does.
 """
 
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from math import ceil, inf, nan
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
+from sim_core.caching import cached
 from sim_core.catalogue import EVENTS, METRIC_SIGNALS
 from sim_core.kernel.record import Recorder
-from sim_core.loop.run import Recording, Run
+from sim_core.loop.excitation import TimeGrid
+from sim_core.loop.run import Run
+from sim_core.metrics.comfort import weighting
 from sim_core.metrics.definition import Sums, comfort_metrics, drive_events, mean_squares, window_metrics
-from sim_core.metrics.windows import Windows, section_ends
 from sim_core.result import Series, StrategyResult
+from sim_core.road.profile import kinks
 from sim_core.scenario import Scenario
 from sim_core.scenario.parts import KMH
 from sim_core.speed.profile import TARGET_BAND, SpeedProfile
 
+_SNAP = 1e-6  # of a fine step: a section that ends so near to a sample ends there
 
-def evaluate(run: Run, windows: Windows, recorder: Recorder, recording: Recording) -> StrategyResult:
-    """Everything a run reports, from what was measured while it was driven."""
-    scenario, controller, speed_profile = run.scenario, run.controller, run.speed_profile
-    trajectory, report = recording.trajectory, controller.report
-    arrival, sums = windows.arrival_speed, _sums(run, windows, recorder)
+
+def evaluate(run: Run) -> StrategyResult:
+    """Drive a run, and return everything that it reports.
+
+    Raises:
+        RidelabError: As `Run.drive` says.
+    """
+    scenario, controller, speed_profile, recorder = run.scenario, run.controller, run.speed_profile, make_recorder(run)
+    trajectory, report, grid = run.drive(recorder), controller.report, run.excitation.grid
+    arrival = _arrival_speed(run)
+    sums = Sums(
+        time_unit=grid.fine_step,
+        durations=(recorder.ends[:, 1] - recorder.ends[:, 0]).tolist(),
+        squares=recorder.integrals,
+        peaks=recorder.peaks,
+        weighted_samples=len(grid.series["time"]),
+        weighted_step=grid.fine_step,
+        **recorder.totals,
+    )
     metrics = window_metrics(sums)
     static = scenario.real_vehicle.static_loads
     planned, actuated = run.plan == "planned", controller.actuated
@@ -43,7 +63,8 @@ def evaluate(run: Run, windows: Windows, recorder: Recorder, recording: Recordin
     }
 
     def columns(commands: slice) -> Mapping[str, FloatArray]:
-        return dict(zip(METRIC_SIGNALS, recording.table(commands)[-len(METRIC_SIGNALS) :], strict=True))
+        signals = trajectory.sample(run.first_step + commands.start, run.first_step + commands.stop)
+        return dict(zip(METRIC_SIGNALS, signals[-len(METRIC_SIGNALS) :], strict=True))
 
     return StrategyResult(
         strategy=controller.id,
@@ -62,23 +83,63 @@ def evaluate(run: Run, windows: Windows, recorder: Recorder, recording: Recordin
         stages=run.stages,
         travel_time=speed_profile.time_at(scenario.road.length),
         arrival_speed_kmh=arrival / KMH,
-        series=Series(run.excitation.series, columns, recording.car.fine),
+        series=Series(run.excitation.series, columns, trajectory.car.fine),
         label=controller.label,
     )
 
 
-def _sums(run: Run, windows: Windows, recorder: Recorder) -> Sums:
-    """Return what was summed while a run was driven; its unit of time is the fine step."""
-    grid = run.excitation.grid
-    return Sums(
-        time_unit=grid.fine_step,
-        durations=(windows.ends[:, 1] - windows.ends[:, 0]).tolist(),
-        squares=recorder.integrals,
-        peaks=recorder.peaks,
+def make_recorder(run: Run) -> Recorder:
+    """Return what measures a run's car in its steps, over the rough road, the bump, and what follows it."""
+    excitation, short, vehicle, scenario = run.excitation, run.steps.short, run.scenario.real_vehicle, run.scenario
+    lifted = [-static for static in vehicle.static_loads]
+    least = lifted if vehicle.tyre_lift_off else [-inf, -inf]  # one that does not lift off pulls on the road
+    grid, surface, length = excitation.grid, excitation.surface, scenario.road.length
+    ends, longest = _sections(grid, run.speed_profile, scenario.bump_start, min(scenario.bump_left, length), length)
+    beside, on_bump = surface.slope_range()
+    return Recorder(
+        fine=grid.fine // short,
+        first=run.first_step,
+        ends=ends,
+        max_chord_deviation=np.array([beside, on_bump, beside]) * longest / 4,
         weighted_samples=len(grid.series["time"]),
-        weighted_step=grid.fine_step,
-        **recorder.totals,
+        weighting=weighting(grid.fine_step),
+        tyres=np.array([[vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness], least, lifted]),
+        clearance=np.array(vehicle.stop_clearances),
+        road=(surface.roughness, surface.layout),
+        position=grid.axles,
+        height=excitation.height,
+        kinks=np.array([*sorted(kinks(surface.bump)), inf]),  # a tyre load may peak just there
     )
+
+
+@cached
+def _sections(
+    grid: TimeGrid, speed_profile: SpeedProfile, start: float, end: float, length: float
+) -> tuple[FloatArray, FloatArray]:
+    """Return the first and last place of the rough road, the bump, and what follows it (3, 2) [fine steps].
+
+    By the time that the front axle spends in each; together they are the whole run. Then the longest fine step in each
+    (3,) [m].
+
+    Args:
+        grid: Of the run.
+        speed_profile: Likewise.
+        start: Of the bump [m].
+        end: Likewise.
+        length: Of the road [m].
+    """
+    h = grid.fine_step
+    bounds = [0.0, *(speed_profile.time_at(position) / h for position in (start, end, length))]
+    ends = section_ends(list(pairwise(bounds)))
+    distance = np.diff(grid.axles[0, grid.on_record.start :])
+    return ends, np.array([distance[int(first) : ceil(last)].max(initial=0) for first, last in ends.tolist()])
+
+
+def section_ends(spans: Sequence[tuple[float, float]]) -> FloatArray:
+    """Ends (sections, 2) of sections that begin and end so many fine steps from x = 0: at a sample where near one."""
+    steps = np.array(spans)
+    nearest = np.round(steps)
+    return np.where(np.abs(steps - nearest) < _SNAP, nearest, steps)
 
 
 def rms_between(
@@ -107,6 +168,14 @@ def rms_between(
     place = np.arange(until.shape[1])
     means = [np.diff(np.interp(ends, place, integral)).sum() / durations.sum() for integral in until]
     return dict(zip(METRIC_SIGNALS, np.sqrt(means).tolist(), strict=True))
+
+
+def _arrival_speed(run: Run) -> float:
+    """Return the car's speed as the front axle meets the bump [m/s]; NaN where there is none."""
+    start = run.scenario.bump_start
+    if start >= run.scenario.road.length:
+        return nan
+    return float(run.speed_profile.at(np.array(run.speed_profile.time_at(start)))[1])
 
 
 def _target_reached(scenario: Scenario, arrival: float) -> bool:

@@ -141,7 +141,7 @@ def test_the_vehicle_drives_like_our_linear_one(tmp_path: Path) -> None:
     """With the commands of our own LQR; the state at every control instant."""
     scenario = Scenario.model_validate(SMALL)
     run = prepare(scenario, "lqr")
-    loop, grid = run.drive().trajectory.loop, run.excitation.grid
+    loop, grid = run.drive().loop, run.excitation.grid
     importer = Importer(exported(tmp_path, scenario, "2.0", of="vehicle"), tmp_path / "fmu")
     assert (
         differences_of(importer, loop, run.excitation.height, run.excitation.braking, grid.fine, grid.fine_step)

@@ -12,7 +12,6 @@ from sim_core import LinearLaw
 from sim_core.kernel import binding, build, library
 from sim_core.kernel.library import load
 from sim_core.kernel.qp import QpMemory
-from sim_core.loop.closed_loop import control_law_context
 from sim_core.loop.preview import sliding_forecast
 from tests.unit.qp_design import qp_design
 from tests.unit.still_car import still_car
@@ -81,9 +80,9 @@ def test_a_limit_on_one_kind_of_preview_binds_where_all_of_it_is_seen(kind: int,
     ahead[kind, 10:14] = seen
     limits[0, 10 + 4 * kind : 14 + 4 * kind] = 0.251 * np.array(seen)  # 1.004 in step 10, 0.753 before it
     law = LinearLaw(gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 12)), limits=limits)
-    arrays = control_law_context(sliding_forecast(ahead, 4, np.zeros((2, steps))), np.full(3, np.inf), clips=True)
-    car = still_car(steps=steps)
-    assert car.follow_law(arrays, np.zeros((steps + 1, 10)))(law.design, None, 0, steps)[0] == 10
+    sight = sliding_forecast(ahead, 4, np.zeros((2, steps)))
+    arrays = np.zeros((steps + 1, 10)), sight.disturbances, sight.source, sight.preview_norms, np.full(3, np.inf)
+    assert still_car(steps=steps).follow_law(*arrays, clips=True)(law.design, None, 0, steps)[0] == 10
 
 
 def test_a_residual_is_the_largest_violation() -> None:

@@ -93,9 +93,8 @@ CAR: dict[str, Any] = {
 }
 DESIGN: dict[str, Any] = {"gain": np.zeros((2, 19)), "limits": np.zeros((14, 19))}
 LAW: dict[str, Any] = {
-    "horizon": 3,
-    "preview": np.zeros((3, STEPS + 2)),
-    "strides": (STEPS + 2, 1),
+    "disturbances": np.lib.stride_tricks.as_strided(np.zeros(99), (3, STEPS, 3), (8 * (STEPS + 2), 8, 8)),
+    "source": np.zeros((3, STEPS + 2)),
     "preview_norms": np.zeros((4, STEPS)),
     "force_limits": np.full(3, np.inf),
     "clips": True,
@@ -119,7 +118,7 @@ def drive(**changed: Any) -> None:
         right | {name: changed.pop(name) for name in right if name in changed} for right in (DESIGN, LAW, CALLS)
     )
     car, loop, (first, last) = still_car(**(CAR | changed)), calls["loop"], calls["sampled"]
-    follow = car.follow_law(prepared.ControlLawContext(**law), loop)
+    follow = car.follow_law(loop, **law)
     follow(prepared.LawDesign(**design), calls["qp"], calls["first"], calls["last"])
     car.advance(calls["step"], loop)
     car.measure(calls["measured"], calls["state"], calls["command"])
@@ -132,8 +131,9 @@ MISUSES: dict[str, dict[str, Any]] = {
     "gain on one kind of preview": {"gain": np.zeros((2, 13))},
     "limits on the state alone": {"limits": np.zeros((14, 10))},
     "limits on two kinds of preview": {"gain": np.zeros((2, 12)), "limits": np.zeros((14, 12))},
-    "a preview that ends before the drive": {"preview": np.zeros((3, STEPS + 1))},
-    "a preview from behind": {"strides": (STEPS + 2, -1)},
+    "a preview that ends before the drive": {"source": np.zeros((3, STEPS + 1))},
+    "a preview from behind": {"disturbances": LAW["disturbances"][:, ::-1]},
+    "a preview of fewer steps": {"disturbances": LAW["disturbances"][:, 1:]},
     "norms in fewer steps": {"preview_norms": np.zeros((4, STEPS - 1))},
     "a single step beyond the drive": {"step": STEPS},
     "a measurement of another car": {"state": np.zeros(10)},

@@ -89,12 +89,12 @@ def test_a_plan_that_is_followed_with_a_perfect_model_is_what_the_simulation_doe
             "mpc": {"force_limit": 800, "deflection_limit": 0.02},
         }
     ).on(road)
-    without = prepare(scenario, Follows()).drive()
-    first = without.first + 200
-    now = without.trajectory.loop[first]
+    without = prepare(scenario, Follows())
+    first = without.first_step + 200
+    now = without.drive().loop[first]
     plan = planned(scenario, SuspensionOnly(), first, now[:8], now[8:])
     assert any(limit.multiplier for limit in plan.limits), "a limit binds"
-    driven = prepare(scenario, Follows(first, plan.forces)).drive().trajectory.loop
+    driven = prepare(scenario, Follows(first, plan.forces)).drive().loop
     there = driven[first : first + len(plan.states), :8]
     np.testing.assert_allclose(there, plan.states, atol=1e-9 * np.abs(plan.states).max())
 

@@ -7,8 +7,7 @@ from hypothesis import given, settings
 from sim_core import STRATEGIES, Actuator, Bump, Mpc, Road, Scenario, Speed, Vehicle, simulate
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, PAPER_SIGNALS, SIGNALS, WINDOWS
 from sim_core.metrics.comfort import wk_gain
-from sim_core.metrics.evaluate import rms_between
-from sim_core.metrics.windows import section_ends
+from sim_core.metrics.evaluate import rms_between, section_ends
 from sim_core.scenario.presets import preset
 from sim_core.speed.profile import make_speed_profile
 from tests.validation.reference.held import errors

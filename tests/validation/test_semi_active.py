@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 
 from sim_core.arrays import FloatArray
 from sim_core.kernel.record import Recorder
-from sim_core.loop.run import Recording, Run
+from sim_core.loop.closed_loop import Trajectory
+from sim_core.loop.run import Run
 from sim_core.result import StrategyResult
 from sim_core.scenario import Actuator, Bump, Estimation, Hook, Mismatch, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
@@ -20,15 +21,16 @@ LAWS = ("skyhook", "groundhook", "hybrid")
 SHORT = Road(length=30, roughness=256e-6, bump=Bump(start=15))
 
 
-def recorded(scenario: Scenario, law: str) -> tuple[Recording, StrategyResult]:
-    """A run in which every substep is a sample: fine steps of 0.1 ms."""
-    caught: list[Recording] = []
+def recorded(scenario: Scenario, law: str) -> tuple[FloatArray, StrategyResult]:
+    """The samples of a run in which every substep is one: fine steps of 0.1 ms."""
+    caught: list[FloatArray] = []
 
     drive = Run.drive
 
-    def caught_drive(run: Run, recorder: Recorder | None = None) -> Recording:
-        caught.append(drive(run, recorder))
-        return caught[0]
+    def caught_drive(run: Run, recorder: Recorder | None = None) -> Trajectory:
+        trajectory = drive(run, recorder)
+        caught.append(trajectory.sample(run.first_step, len(trajectory.loop) - 1))
+        return trajectory
 
     with (
         patch.object(Run, "drive", caught_drive),
@@ -40,8 +42,7 @@ def recorded(scenario: Scenario, law: str) -> tuple[Recording, StrategyResult]:
 
 def damper(scenario: Scenario, law: str) -> tuple[FloatArray, FloatArray]:
     """Speed of travel [m/s] and force of damper and control together [N], (2, commands, samples of each)."""
-    recording, car = recorded(scenario, law)[0], scenario.real_vehicle
-    table = recording.table(slice(0, len(recording.trajectory.loop) - 1 - recording.first))
+    table, car = recorded(scenario, law)[0], scenario.real_vehicle
     speed, control = table[:2], table[-2:]
     ratio = car.rebound_ratio
     mean = np.array([car.front_damping, car.rear_damping]).reshape(2, 1, 1)

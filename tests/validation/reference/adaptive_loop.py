@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.integrate import ode
 
 from sim_core import Scenario, StrategyResult, simulate
-from sim_core.kernel.prepared import ControlLawContext, FollowLaw, LawDesign
+from sim_core.kernel.prepared import FollowLaw, LawDesign
 from sim_core.kernel.qp import Qp
 from sim_core.kernel.record import Recorder
 from sim_core.loop.excitation import longest_fine_step
@@ -68,7 +68,9 @@ class SolvedCar:
         rates = ode(lambda time, x: self._rates(time, x.tolist()))
         self._solver = rates.set_integrator("dopri5", nsteps=5000, first_step=self._h, rtol=1e-7, atol=1e-9)
 
-    def follow_law(self, shared: ControlLawContext, loop: Array) -> FollowLaw:
+    def follow_law(
+        self, loop: Array, disturbances: Array, source: Array, norms: Array, force_limits: Array, *, clips: bool
+    ) -> FollowLaw:
         """As DrivenCar says; where a law has limits beside its forces' the controller decides each step."""
 
         def follow_from(law: LawDesign, qp: Qp | None, first: int, last: int) -> tuple[int, int]:
@@ -76,11 +78,9 @@ class SolvedCar:
                 return first, 0
             limited = 0
             for k in range(first, last):
-                kind, step = shared.strides
-                seen = [shared.preview.ravel()[i * kind + k * step :][: law.horizon] for i in range(3)]
                 state, previous = loop[k, :8], loop[k, self.size :]
-                wanted = law.gain @ np.concatenate([state, previous, *seen])
-                force, change, actuator = shared.force_limits
+                wanted = law.gain @ np.concatenate([state, previous, disturbances[:, k, : law.horizon].ravel()])
+                force, change, actuator = force_limits
                 command = previous + np.clip(np.clip(wanted, -force, force) - previous, -change, change)
                 command = np.clip(command, -actuator, actuator)
                 limited += bool(np.abs(command - wanted).max() > 1e-6)

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core import Actuator, Scenario, Seen, StrategyResult
-from sim_core.loop.delayed_loop import DelayedLoop
+from sim_core.loop.closed_loop import DelayedLoop
 from sim_core.road.profile import road_profile
 from sim_core.simulate import prepare, simulate
 from sim_core.speed.profile import SpeedProfile
