@@ -36,18 +36,12 @@ def canonical(value: Any) -> bytes:
         written = orjson.dumps(value, option=orjson.OPT_SORT_KEYS | orjson.OPT_STRICT_INTEGER)
         if not has_whole_floats(written):
             return written
-    return orjson.dumps(_plain(value), option=orjson.OPT_SORT_KEYS)
+    return orjson.dumps(plain(value), option=orjson.OPT_SORT_KEYS)
 
 
 def has_whole_floats(written: bytes) -> bool:
     """Check whether JSON that orjson has written has a number such as `2.0`; a text like that counts, too."""
     return any(end in written for end in (b".0,", b".0]", b".0}")) or written.endswith(b".0")
-
-
-def canonical_identity(scenario: Scenario) -> JsonObject:
-    """Return what a scenario is known by, with one form for one meaning: what keys and ids are hashed from."""
-    identity: JsonObject = _plain(scenario.identity())
-    return identity
 
 
 def result_key(scenario: Scenario, strategy: str) -> str:
@@ -64,10 +58,10 @@ def result_keys(
     Args:
         roads: The scenario on each.
         strategies: Ids.
-        identity: The first one's `canonical_identity`, where it is there already.
+        identity: The first one's identity, `plain`, where it is there already.
     """
     keys: list[dict[str, str]] = [{} for _ in roads]
-    identity = canonical_identity(roads[0]) if identity is None else identity
+    identity = plain(roads[0].identity()) if identity is None else identity
     for strategy in strategies:
         recorded = recording_id(strategy) is not None
         part = identity if recorded else values_read(roads[0], strategy_named(strategy), identity)
@@ -91,7 +85,7 @@ def band_key(scenario: Scenario, strategy: str, roads: int) -> str:
 
 def derived_key(name: str, parameters: JsonObject) -> str:
     """Return the key of what is derived from many runs: the program that computes them, its name, its parameters."""
-    return _digest({**_program(STRATEGIES), "derived": name, "parameters": _plain(dict(parameters))})
+    return _digest({**_program(STRATEGIES), "derived": name, "parameters": plain(dict(parameters))})
 
 
 def run_id(
@@ -108,10 +102,10 @@ def run_id(
         strategies: Ids.
         roads: How many roads; a run of one has the id it had before there were several.
         baseline: Which strategy the changes over several roads refer to.
-        identity: The scenario's `canonical_identity`, where it is there already.
+        identity: The scenario's identity, `plain`, where it is there already.
     """
     names = sorted(set(strategies))
-    identity = canonical_identity(scenario) if identity is None else identity
+    identity = plain(scenario.identity()) if identity is None else identity
     content: JsonObject = {**_program(names), "scenario": identity, "strategies": names}
     if roads > 1:
         content |= {"roads": roads, "baseline": baseline}
@@ -132,14 +126,14 @@ def _digest(content: JsonObject) -> str:
     return base64.urlsafe_b64encode(hashlib.sha256(written).digest()).decode().rstrip("=")
 
 
-def _plain(value: Any) -> Any:
+def plain(value: Any) -> Any:
     """Return the value with each whole float as an integer (also -0.0 as 0), and each huge integer as a float."""
     if isinstance(value, float) and value.is_integer() and abs(value) < 2**53:
         return int(value)
     if isinstance(value, int) and not -(2**63) <= value < 2**63:
         return float(value)
     if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
+        return {key: plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
+        return [plain(item) for item in value]
     return value

@@ -43,12 +43,12 @@ class RequestQueue:
         self.max_requests = max_requests
         self.open: Counter[str] = Counter()  # by client, waiting or handled
         self.handled: Counter[str] = Counter()  # by client, those in a slot
-        self._waiting: dict[str, deque[asyncio.Future[None]]] = {}  # by client, whose turn is next first
+        self.waiting_clients: dict[str, deque[asyncio.Future[None]]] = {}  # whose turn is next first
 
     @property
     def waiting(self) -> int:
         """Return how many requests wait for a slot."""
-        return sum(map(len, self._waiting.values()))
+        return sum(map(len, self.waiting_clients.values()))
 
     @contextmanager
     def admit(self, client: str) -> Iterator["Admission"]:
@@ -73,12 +73,14 @@ class RequestQueue:
             _current.reset(token)
             admission.release_slot()
             self.open[client] -= 1
-            self.open += Counter()  # forgets whoever has none
+            for counts in (self.open, self.handled):
+                if not counts[client]:
+                    del counts[client]
 
     async def wait_in_line(self, client: str) -> None:
         """Wait for a slot that another request releases."""
         slot = asyncio.get_running_loop().create_future()
-        self._waiting.setdefault(client, deque()).append(slot)
+        self.waiting_clients.setdefault(client, deque()).append(slot)
         try:
             await slot
         except asyncio.CancelledError:
@@ -86,22 +88,21 @@ class RequestQueue:
                 self.handled[client] -= 1
                 self.hand_out_slots()
             with suppress(KeyError, ValueError):  # it was passed over already
-                self._waiting[client].remove(slot)
-                if not self._waiting[client]:
-                    del self._waiting[client]
+                self.waiting_clients[client].remove(slot)
+                if not self.waiting_clients[client]:
+                    del self.waiting_clients[client]
             raise
 
     def hand_out_slots(self) -> None:
         """Give free slots to those who wait, one to each client in turn."""
-        self.handled += Counter()  # forgets whoever has none
         while self.handled.total() < self.slots:
-            client = next((each for each in self._waiting if self.handled[each] < self.client_slots), None)
+            client = next((each for each in self.waiting_clients if self.handled[each] < self.client_slots), None)
             if client is None:
                 return
-            line = self._waiting.pop(client)
+            line = self.waiting_clients.pop(client)
             slot = line.popleft()
             if line:
-                self._waiting[client] = line  # behind the others
+                self.waiting_clients[client] = line  # behind the others
             if not slot.cancelled():
                 self.handled[client] += 1
                 slot.set_result(None)
@@ -129,7 +130,8 @@ class Admission:
         if self.has_slot:
             self.has_slot = False
             self.queue.handled[self.client] -= 1
-            self.queue.hand_out_slots()
+            if self.queue.waiting_clients:
+                self.queue.hand_out_slots()
 
 
 _current: ContextVar[Admission | None] = ContextVar("admission", default=None)  # of the request that is handled

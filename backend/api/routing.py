@@ -23,12 +23,11 @@ from backend.errors import InvalidError
 from backend.http import problems
 from backend.http.problems import MOST_ERRORS, RequestError
 from backend.http.strict_json import MAX_VALUES, parse
-from backend.http.validation import with_nested_scenario
 from backend.plain_text import MESSAGE, is_plain
 from backend.runs.reports.page import Report
 from backend.services import Services
 from backend.settings import MAX_BODY_BYTES
-from backend.unknown_names import is_name, unknown_name
+from backend.unknown_names import is_name, pointer, unknown_name
 
 API = "/api/v1"
 BULKY = 64 * 1024  # a longer body counts and is parsed beside the event loop; a scenario is a few kB [bytes]
@@ -97,7 +96,7 @@ class StrictRoute(APIRoute):
                         loop = asyncio.get_running_loop()
                         sent = work() if len(body) <= BULKY else await loop.run_in_executor(_parsing, work)
                         request.state.sent = sent  # errors point into it
-                        request._json = with_nested_scenario(sent)
+                        request._json = _with_nested_scenario(sent)
                     return await answer(request)
 
         return handle
@@ -175,6 +174,31 @@ async def _read_body(request: ApiRequest, types: Mapping[str, int], held: ExitSt
             counted += more
     request._body = bytes(pieces)  # what the framework would read itself, and call any error a malformed body
     return request._body
+
+
+def _with_nested_scenario(body: Any) -> Any:
+    """Return a body whose scenario's dotted fields (`road.bump.height`) are nested, as its other fields are.
+
+    Raises:
+        InvalidError: A field is there in both forms, or below one that has a value.
+    """
+    sent = body.get("scenario") if isinstance(body, dict) else None
+    if not isinstance(sent, dict) or not any("." in name for name in sent):
+        return body
+    scenario = {name: value for name, value in sent.items() if "." not in name}
+    for name in [each for each in sent if "." in each]:
+        *parts, last = name.split(".")
+        part = scenario
+        for step in parts:
+            inner = part.get(step, {})
+            if not isinstance(inner, dict):
+                raise InvalidError(f"{name} is below a field that has a value", pointer=pointer(["scenario", name]))
+            part[step] = dict(inner)  # what was sent stays as it is
+            part = part[step]
+        if last in part:
+            raise InvalidError(f"{name} is there twice, nested and dotted", pointer=pointer(["scenario", name]))
+        part[last] = sent[name]
+    return {**body, "scenario": scenario}
 
 
 def _check_parameters(sent: QueryParams, declared: Sequence[str]) -> None:

@@ -4,6 +4,7 @@ import time
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import inf
 
 from cachetools import TTLCache
 
@@ -19,13 +20,13 @@ class Task:
     Attributes:
         client: Who asks for it.
         cost: Estimated [s].
-        begun: When it began to run, on the queue's clock [s]; None while it waits.
+        begun: When it began to run, on the queue's clock [s]; infinite while it waits.
         reserved: Whether it took a reserved place.
     """
 
     client: str
     cost: float
-    begun: float | None = None
+    begun: float = inf
     reserved: bool = False
 
 
@@ -56,11 +57,11 @@ class FairQueue:
 
     @property
     def waiting(self) -> int:
-        """How many tasks wait."""
+        """Return how many tasks wait."""
         return len(self._waiting)
 
     def add(self, client: str, cost: float) -> Task:
-        """A task that waits from now on; its estimated cost [s]."""
+        """Add a task that waits from now on, with its estimated cost [s]."""
         task = Task(client, cost)
         self._waiting[task] = None
         return task
@@ -91,19 +92,21 @@ class FairQueue:
         return task
 
     def end(self, task: Task, *, killed: bool = False) -> None:
-        """A running task has ended; killed, it counts as all that was estimated, for its process has to start again."""
+        """End a running task; killed, it counts as all that was estimated, for its process has to start again."""
         self._running.discard(task)
-        took = max(self.elapsed(task), task.cost) if killed else self.elapsed(task)
-        self._used[task.client] = self._still_used(task.client) + took, self._clock()
+        now = self._clock()
+        took = max(now - task.begun, task.cost if killed else 0.0)
+        self._used[task.client] = self._still_used(task.client) + took, now
 
     def in_work(self, client: str) -> float:
-        """What the client has in work [s]."""
-        running = (max(task.cost, self.elapsed(task)) for task in self._running if task.client == client)
+        """Return what the client has in work [s]."""
+        now = self._clock()
+        running = (max(task.cost, now - task.begun) for task in self._running if task.client == client)
         return self._still_used(client) + sum(running)
 
     def elapsed(self, task: Task) -> float:
-        """How long the task has been running [s]."""
-        return 0.0 if task.begun is None else self._clock() - task.begun
+        """Return how long the task has been running [s]; 0 while it waits."""
+        return max(0.0, self._clock() - task.begun)
 
     def _still_used(self, client: str) -> float:
         used, counted = self._used.get(client, (0.0, 0.0))

@@ -89,7 +89,7 @@ class WorkerProcess:
 
     @property
     def active(self) -> bool:
-        """Whether it still accepts tasks."""
+        """Check whether it still accepts tasks."""
         return bool(self._process.is_alive())
 
     async def wait_until_warm(self) -> None:
@@ -107,9 +107,7 @@ class WorkerProcess:
         from backend import custom_controllers  # takes the core, which the service imports beside its first worker
 
         task = function, args, custom_controllers.controller_sources()
-        answering = asyncio.get_running_loop().run_in_executor(self._waiting, self._exchange, task)
-        answering.add_done_callback(_retrieve)
-        return answering
+        return asyncio.get_running_loop().run_in_executor(self._waiting, self._exchange, task)
 
     def end(self) -> None:
         """End the process, whatever it does; takes some milliseconds."""
@@ -128,12 +126,6 @@ class WorkerProcess:
         except (EOFError, OSError):
             raise WorkerDiedError from None
         return pickle.loads(answer)  # noqa: S301 - our own process's
-
-
-def _retrieve(answering: asyncio.Future[Answer]) -> None:
-    """Nobody may wait any more when it fails: asyncio would log it as never retrieved."""
-    if not answering.cancelled():
-        answering.exception()
 
 
 def _serve(pipe: Connection, warm_up: str, nice: int) -> None:

@@ -88,12 +88,12 @@ class Workers:
 
     @property
     def ready(self) -> bool:
-        """Whether a warm worker is there, busy or idle."""
+        """Check whether a warm worker is there, busy or idle."""
         return any(process.active for process in self._processes)
 
     @property
     def load(self) -> dict[str, int]:
-        """How many processes are busy and idle, and how many tasks wait for one."""
+        """Return how many processes are busy and idle, and how many tasks wait for one."""
         idle = len(self._idle)
         return {"busy": max(0, len(self._processes) - idle), "idle": idle, "waiting": self._queue.waiting}
 
@@ -126,6 +126,7 @@ class Workers:
                 raise
             except TimeoutError:
                 WORKER_FAILURES.labels("timeout").inc()
+                answering.add_done_callback(_ignore)
                 self._give_back(task, process, None)
                 raise WorkerTimeoutError from None
             except WorkerDiedError:
@@ -158,6 +159,7 @@ class Workers:
 
     async def _abandon(self, task: Task, process: WorkerProcess, answering: asyncio.Future[Answer]) -> None:
         """Nobody waits for a task any more: a short one may end by itself, as a new process has empty caches."""
+        answering.add_done_callback(_ignore)
         left = 0.0 if task.cost > SHORT else max(0.0, SHORT - self._queue.elapsed(task))
         answer = None
         try:
@@ -258,8 +260,13 @@ class Workers:
 
     def _forget(self, task: asyncio.Task[Any]) -> None:
         self._background.discard(task)
-        if not task.cancelled():
-            task.exception()
+        _ignore(task)
+
+
+def _ignore(ended: "asyncio.Future[Any]") -> None:
+    """Note that nobody waits for this any more: asyncio would log a failure as never retrieved."""
+    if not ended.cancelled():
+        ended.exception()
 
 
 async def _end(spawning: "asyncio.Future[WorkerProcess]") -> None:

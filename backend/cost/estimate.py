@@ -13,7 +13,7 @@ import numpy as np
 from sim_core import Actuator, Controller, DampingController, EcuController, PredictiveController, Scenario
 from sim_core.control.qp import osqp_effort
 from sim_core.errors import TooExpensiveError
-from sim_core.loop.excitation import StepSizes, longest_fine_step, step_sizes
+from sim_core.loop.excitation import longest_fine_step, step_sizes
 from sim_core.loop.run import run_dampers
 from sim_core.road.profile import REFERENCE_FREQUENCY
 from sim_core.scenario.recorded import recording_id
@@ -79,7 +79,7 @@ def duration(scenario: Scenario, name: str) -> float:
 
 
 def estimate(scenario: Scenario, name: str) -> float:
-    """Expected cost of one strategy, or of a recording with what it is compared with [s of one core].
+    """Return the expected cost of one strategy, or of a recording with what it is compared with [s of one core].
 
     Raises:
         UnknownNameError: No such strategy.
@@ -97,18 +97,13 @@ def references(scenario: Scenario) -> tuple[str, ...]:
     return tuple(name for name in REFERENCE_STRATEGIES if estimate(scenario, name) <= MAX_REFERENCE_COST)
 
 
-def costs_of(scenario: Scenario, strategies: Iterable[str]) -> dict[str, float]:
-    """Expected cost of each of these strategies [s of one core]."""
-    return {strategy: estimate(scenario, strategy) for strategy in strategies}
-
-
 def cost_of(scenario: Scenario, strategies: Iterable[str]) -> float:
-    """Expected cost of these strategies together [s of one core]."""
-    return sum(costs_of(scenario, strategies).values())
+    """Return the expected cost of these strategies together [s of one core]."""
+    return sum(estimate(scenario, name) for name in strategies)
 
 
 def check_affordable(scenario: Scenario, name: str) -> float:
-    """About the most that a run's arrays take at once [bytes]; one whose steps alone are too many is refused.
+    """Return about the most that a run's arrays take at once [bytes]; one whose steps alone are too many is refused.
 
     Raises:
         UnknownNameError: No such strategy.
@@ -125,19 +120,19 @@ def check_affordable(scenario: Scenario, name: str) -> float:
 
 
 def samples(scenario: Scenario, strategy: type[Controller], time: float) -> tuple[float, int]:
-    """Control steps of a run, given its time over the road [s], and fine steps in each: its samples are their product.
+    """Return the control steps of a run and the fine steps in each: its samples are their product.
 
     Args:
         scenario: What is driven.
         strategy: What drives it.
         time: The run's [s].
     """
-    steps = _steps(scenario, strategy)
+    steps = step_sizes(scenario, strategy().for_scenario(scenario), speed_plan_on(strategy, scenario))
     return time / steps.control, steps.fine
 
 
 def memory(scenario: Scenario, strategy: type[Controller], time: float) -> float:
-    """About the most that a run's arrays take at once, given its time over the road [s] [bytes].
+    """Return about the most that a run's arrays take at once, given its time over the road [s] [bytes].
 
     Measured. It is driven first, with what is previewed where that is no view of the road ahead; then its time
     histories are made, each sample 8 bytes.
@@ -164,36 +159,29 @@ def limited_share(scenario: Scenario, strategy: type[Controller], time: float) -
     variance A k_t / (2 c) and the deflection A (m_b + m_w) / (2 c). Where the real springs are softer than the
     controller believes, its loop may be unstable and stays at a limit.
     """
-    mpc, predictive = scenario.mpc, issubclass(strategy, PredictiveController)
     if scenario.mismatch.springs < 1:
         return 1.0
-    force, travel = _passive_deviations(scenario, scenario.road.length / time)
+    car, mpc, predictive = scenario.vehicle, scenario.mpc, issubclass(strategy, PredictiveController)
+    speed, roughness = scenario.road.length / time, max(scenario.road.roughness, MIN_ROUGHNESS)
+    density = (2 * pi * REFERENCE_FREQUENCY) ** 2 * roughness * speed / 2
+    to_front = car.cg_to_rear / car.wheelbase
+    force = travel = 0.0  # largest variance of an axle
+    for mass, wheel, spring, damping, tyre in (
+        (to_front, car.front_wheel_mass, car.front_spring, car.front_damping, car.front_tyre_stiffness),
+        (1 - to_front, car.rear_wheel_mass, car.rear_spring, car.rear_damping, car.rear_tyre_stiffness),
+    ):
+        deflection = density * (mass * car.body_mass + wheel) / (2 * damping)
+        travel = max(travel, deflection)
+        force = max(force, spring**2 * deflection + damping * density * tyre / 2)
     most = min(mpc.force_limit if predictive else inf, scenario.actuator.saturation or inf)
-    free = 1 - erfc(most / (sqrt(2) * FORCE_RATIO * force))
+    free = 1 - erfc(most / (sqrt(2 * force) * FORCE_RATIO))
     if predictive:
-        free *= 1 - erfc(mpc.deflection_limit / (sqrt(2) * travel))
+        free *= 1 - erfc(mpc.deflection_limit / sqrt(2 * travel))
         bump = scenario.road.bump
         if abs(bump.height) > mpc.deflection_limit:
             crossing = (bump.length + scenario.rear_axle_offset) / scenario.road.length
             free *= 1 - min(1.0, crossing + (mpc.prediction_horizon * mpc.sample_time + SETTLING) / time)
     return 1 - free
-
-
-def _passive_deviations(scenario: Scenario, speed: float) -> tuple[float, float]:
-    """Return the standard deviations of the passive suspension's force [N] and deflection [m] at a speed [m/s]."""
-    vehicle = scenario.vehicle
-    density = (2 * pi * REFERENCE_FREQUENCY) ** 2 * max(scenario.road.roughness, MIN_ROUGHNESS) * speed / 2
-    share = vehicle.cg_to_rear / vehicle.wheelbase
-    axles = (
-        (share, vehicle.front_wheel_mass, vehicle.front_spring, vehicle.front_damping, vehicle.front_tyre_stiffness),
-        (1 - share, vehicle.rear_wheel_mass, vehicle.rear_spring, vehicle.rear_damping, vehicle.rear_tyre_stiffness),
-    )
-    travels = [density * (mass * vehicle.body_mass + wheel) / (2 * damping) for mass, wheel, _, damping, _ in axles]
-    forces = [
-        spring**2 * travel + damping * density * tyre / 2
-        for travel, (_, _, spring, damping, tyre) in zip(travels, axles, strict=True)
-    ]
-    return sqrt(max(forces)), sqrt(max(travels))
 
 
 def work(scenario: Scenario, strategy: type[Controller], time: float, share: float) -> dict[str, float]:
@@ -206,14 +194,16 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, share: flo
         share: Of its control steps, at a limit.
     """
     by_ecu, controller = issubclass(strategy, EcuController), strategy().for_scenario(scenario)
-    counts = {"run": 1.0, "fine steps": time / _fine_step(scenario, strategy)}
+    plan = speed_plan_on(strategy, scenario)
+    fine_step = longest_fine_step(scenario, plan, actuated=strategy.actuated)
+    counts = {"run": 1.0, "fine steps": time / fine_step}
     counts["uncached steps"] = max(0.0, counts["fine steps"] - CACHED_STEPS)
     vehicle, dampers = scenario.real_vehicle, run_dampers(scenario, controller)
     if not is_linear(vehicle, dampers):
         actuator = scenario.actuator if strategy.actuated else Actuator()
-        short = substeps(vehicle, actuator, dampers, _fine_step(scenario, strategy))
+        short = substeps(vehicle, actuator, dampers, fine_step)
         counts["nonlinear steps"] = counts["fine steps"] * short
-    if speed_plan_on(strategy, scenario) == "planned":
+    if plan == "planned":
         counts["plan"] = 1.0
     if not strategy.actuated:
         return counts
@@ -235,7 +225,7 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, share: flo
         return counts | {
             "ECU": 1.0,
             "exchanges": steps,
-            "short steps": steps * _steps(scenario, strategy).short,
+            "short steps": steps * step_sizes(scenario, controller, plan).short,
             "ECU entries": steps * checks * inputs,
             "ECU iterations": 0.5 * steps * checks * scenario.hil.iterations,
         }
@@ -251,16 +241,8 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, share: flo
     return counts
 
 
-def _steps(scenario: Scenario, strategy: type[Controller]) -> StepSizes:
-    return step_sizes(scenario, strategy().for_scenario(scenario), speed_plan_on(strategy, scenario))
-
-
-def _fine_step(scenario: Scenario, strategy: type[Controller]) -> float:
-    return longest_fine_step(scenario, speed_plan_on(strategy, scenario), actuated=strategy.actuated)
-
-
 def _fields(scenario: Scenario, strategy: type[Controller]) -> tuple[str, ...]:
-    """Fields that make a run's steps fewer or cheaper."""
+    """Return the fields that make a run's steps fewer or cheaper."""
     fields: tuple[str, ...] = ("road.length", "speed.initial_speed_kmh")
     if speed_plan_on(strategy, scenario) == "planned":
         fields += ("speed.target_speed_kmh",)

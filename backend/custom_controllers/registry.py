@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, Literal, TypeVar
+from typing import Any, TypeVar
 
 from backend.custom_controllers.controller_process import ControllerProcess
 from backend.custom_controllers.description import Description, described, proxy_class
@@ -107,13 +107,6 @@ def source(name: str) -> dict[str, str] | None:
 def faults() -> dict[str, str]:
     """Return by file name why it cannot be used."""
     return {each.name: each.fault for each in _checked if each.fault is not None}
-
-
-def due() -> Literal["changed", "retry"] | None:
-    """Return why `refresh` has something to look at: a file has come, gone or changed, or is loaded once more."""
-    if [each.source for each in _sources] != controller_files.sources() or not all(map(_current, _sources)):
-        return "changed"
-    return "retry" if any(map(_failed_long_ago, _sources)) else None
 
 
 def refresh(limit: float) -> None:
@@ -284,12 +277,12 @@ class Watch:
     async def refresh_if_changed(self) -> None:
         """Know what there is now, unless that takes long; nobody waits for another try of a file that was slow."""
         for _ in range(2):  # a look that began before the change does not have it
-            why = due()
-            if why is None:
+            same = [each.source for each in _sources] == controller_files.sources() and all(map(_current, _sources))
+            if same and not any(map(_failed_long_ago, _sources)):
                 return
             if self._look is None or self._look.done():
                 self._look = asyncio.create_task(asyncio.to_thread(refresh, self._limit))
-            if why == "retry":
+            if same:
                 return
             await asyncio.wait({self._look}, timeout=WAIT)
 

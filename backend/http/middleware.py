@@ -151,20 +151,16 @@ class RequestMiddleware:
             return site == b"cross-site"
         own = origin.decode("latin-1").lower().partition("://")[2]  # of `null` nothing is left
         same_host = own == headers.get(b"host", b"").decode("latin-1").lower()
-        return not (same_host or (_hostname(own) not in LOOPBACK and self._answers_to(own)))
+        return not (same_host or self._answers_to(own, excluding=LOOPBACK))
 
-    def _answers_to(self, host: str) -> bool:
-        """Check whether the service answers to a host, perhaps with a port."""
-        name = _hostname(host)
-        return any(name == each or (each.startswith("*.") and name.endswith(each[1:])) for each in self._hosts)
-
-
-def _hostname(host: str) -> str:
-    """Return the name in a host with perhaps a port; empty where it is none."""
-    try:
-        return urlsplit(f"//{host}").hostname or ""
-    except ValueError:
-        return ""
+    def _answers_to(self, host: str, *, excluding: Collection[str] = ()) -> bool:
+        """Check whether the service answers to a host, perhaps with a port, that has none of the names excluded."""
+        try:
+            name = urlsplit(f"//{host}").hostname or ""
+        except ValueError:
+            return False
+        matches = (name == each or (each.startswith("*.") and name.endswith(each[1:])) for each in self._hosts)
+        return name not in excluding and any(matches)
 
 
 @dataclass(eq=False, slots=True)

@@ -6,36 +6,10 @@ from typing import Annotated, Any, Union, get_args, get_origin
 
 from pydantic import BaseModel
 
-from backend.errors import InvalidError
 from backend.unknown_names import Path, is_name, pointer, shown_path, unknown_name
 from sim_core.scenario import dotted
 
 _LISTS_OF_NAMES = ["strategies"], ["signals"]  # of requests
-
-
-def with_nested_scenario(body: Any) -> Any:
-    """Return a body whose scenario's dotted fields (`road.bump.height`) are nested, as its other fields are.
-
-    Raises:
-        InvalidError: A field is there in both forms, or below one that has a value.
-    """
-    sent = body.get("scenario") if isinstance(body, dict) else None
-    if not isinstance(sent, dict) or not any("." in name for name in sent):
-        return body
-    scenario = {name: value for name, value in sent.items() if "." not in name}
-    for name in [each for each in sent if "." in each]:
-        *parts, last = name.split(".")
-        part = scenario
-        for step in parts:
-            inner = part.get(step, {})
-            if not isinstance(inner, dict):
-                raise InvalidError(f"{name} is below a field that has a value", pointer=pointer(["scenario", name]))
-            part[step] = dict(inner)  # what was sent stays as it is
-            part = part[step]
-        if last in part:
-            raise InvalidError(f"{name} is there twice, nested and dotted", pointer=pointer(["scenario", name]))
-        part[last] = sent[name]
-    return {**body, "scenario": scenario}
 
 
 def to_field_error(item: Mapping[str, Any], model: Any) -> dict[str, str]:

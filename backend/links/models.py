@@ -1,6 +1,5 @@
 """The shapes of share links: what is asked for, and what a link opens."""
 
-from collections.abc import Iterator
 from datetime import datetime
 from typing import Annotated, Any, Literal, Self
 
@@ -117,15 +116,6 @@ class LinkView(RequestModel):
         None, description="Of a batch only: where the map has a line, in the unit shown; `none` for no line."
     )
     versus: Column | None = Field(None, description="Of a batch only: the metric on the x axis of a trade-off.")
-
-    def names(self) -> Iterator[tuple[str, str]]:
-        """Return the strategies it names, each after its place in the view."""
-        for part in ("strategies", "hidden"):
-            yield from ((f"{part}/{number}", name) for number, name in enumerate(getattr(self, part) or ()))
-        single = {"baseline": self.baseline, "strategy": self.strategy, "against": self.against}
-        if self.instant is not None:
-            single["instant/strategy"] = self.instant.strategy
-        yield from ((part, name) for part, name in single.items() if name not in (None, "none"))
 
 
 class LinkRequest(RequestModel):

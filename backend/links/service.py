@@ -2,7 +2,7 @@
 
 import asyncio
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -10,7 +10,7 @@ from backend import digest
 from backend.batches.kind import SWEEP
 from backend.batches.models import Batch
 from backend.compute.workers import Workers
-from backend.cost.estimate import cost_of
+from backend.cost.estimate import estimate
 from backend.errors import InvalidError, NotFoundError
 from backend.gate import PIN_WEIGHT, Gate
 from backend.json_types import JsonObject
@@ -23,7 +23,6 @@ from backend.roads.service import MeasuredRoads
 from backend.runs import pins
 from backend.runs.answers import as_plain, run_answer
 from backend.runs.histories import changed_controllers
-from backend.runs.series import SAMPLE_BYTES, most_samples
 from backend.runs.service import Runs, upgraded_scenario
 from backend.store import Store, StoredJob, StoredLink, StoredRun
 from backend.unknown_names import unknown_name
@@ -33,7 +32,6 @@ from sim_core.scenario.recorded import recording_id
 from sim_core.strategies import STRATEGIES, strategies
 
 _REQUIREMENTS = "requirements"  # their place in a stored view
-MOST_PINNED = 32 * 1024 * 1024  # of one run, before they are compressed: 75 strategies on the paper's road [bytes]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,17 +56,33 @@ class Links:
     async def create(self, request: LinkRequest, client: str, owner: str | None) -> tuple[str, bool]:
         """Make a link to a run or a batch; return its slug, and whether it stores time histories too.
 
+        Each run that the view compares a run with gets a link of its own, which keeps it in the same way.
+
         Raises:
             InvalidError: There is no such run or batch, or no such field or strategy of it.
             TemporaryError: Too many new links, or too much is being computed.
         """
-        slug, view = digest.random_id(), _sent(request.view, request.requirements)
-        if request.run_id is not None:
-            link = StoredLink(slug=slug, kind="run", target=request.run_id, view=view, owner=owner)
-            return slug, await self._share_run(link, request.view, client)
-        link = StoredLink(slug=slug, kind="batch", target=str(request.batch_id), view=view, owner=owner)
-        await self._share_batch(link, request.view, client)
-        return slug, False
+        slug, view = digest.random_id(), request.view.model_dump(mode="json", exclude_unset=True)
+        if request.requirements:
+            view[_REQUIREMENTS] = [each.model_dump(mode="json", exclude_none=True) for each in request.requirements]
+        if request.run_id is None:
+            link = StoredLink(slug=slug, kind="batch", target=str(request.batch_id), view=view, owner=owner)
+            await self._share_batch(link, request.view, client)
+            return slug, False
+        places = {"run_id": request.run_id} | {
+            f"view/pins/{number}/run": pin.run for number, pin in enumerate(request.view.pins or [])
+        }
+        shared = [await self._shared(run_id, place, client) for place, run_id in places.items()]
+        _check_names(request.view, {name for each in shared for name in each.stored.by_strategy})
+        missing = {key for each in shared for key in each.missing.values()}
+        self.gate.links.take(client, len(shared) + PIN_WEIGHT * len(missing))
+        series = [await self._pin(each, client) for each in shared]
+        link = StoredLink(slug=slug, kind="run", target=request.run_id, view=view, owner=owner)
+        for each, pinned in zip(shared[1:], series[1:], strict=True):
+            beside = replace(link, slug=digest.random_id(), target=each.stored.id, view={}, pin_of=slug)
+            await self._save_run(beside, each.stored, pinned, client)
+        await self._save_run(link, shared[0].stored, series[0], client)
+        return slug, bool(shared[0].stored.shown) and set(shared[0].missing.values()) <= series[0].keys()
 
     async def page(self, owner: str | None, limit: int, cursor: str | None) -> tuple[list[JsonObject], str | None]:
         """Return the newest links, of an owner or (None) of all, and the cursor of the next page."""
@@ -79,30 +93,13 @@ class Links:
         """Take a link back; see `LinkStore.revoke`."""
         await self.store.write(self.store.links.revoke, slug, owner)
 
-    async def _share_run(self, link: StoredLink, view: LinkView, client: str) -> bool:
-        """Share a run, and whether its time histories are pinned with it.
-
-        Each run that the view compares it with gets a link of its own, which keeps it in the same way.
-        """
-        places = [(link.target, "run_id"), *((pin.run, f"view/pins/{n}/run") for n, pin in enumerate(view.pins or []))]
-        shared = [await self._shared(run, place, client) for run, place in places]
-        _check_names(view, {name for each in shared for name in each.stored.by_strategy})
-        missing = {key for each in shared for key in each.missing.values()}
-        self.gate.links.take(client, len(shared) + PIN_WEIGHT * len(missing))
-        series = [await self._pin(each, client) for each in shared]
-        for each, pinned in zip(shared[1:], series[1:], strict=True):
-            beside = replace(link, slug=digest.random_id(), target=each.stored.id, view={}, pin_of=link.slug)
-            await self._save_run(beside, each.stored, pinned, client)
-        await self._save_run(link, shared[0].stored, series[0], client)
-        return bool(_histories(shared[0].stored)) and set(shared[0].missing.values()) <= series[0].keys()
-
     async def _shared(self, run_id: str, place: str, client: str) -> _SharedRun:
         """Return the run, and which of its time histories no link has pinned yet."""
         try:
             stored = await self.runs.stored(run_id, client)
         except NotFoundError:
             raise _unknown(place, "There is no run of this id") from None
-        keys = _histories(stored)
+        keys = {item.strategy: item.key for item in stored.shown}
         if not keys.keys() <= STRATEGIES.keys():
             keys = {name: keys[name] for name in keys.keys() - changed_controllers(stored)}
         present = await self.store.read(self.store.links.pinned, keys.values())
@@ -172,11 +169,9 @@ class Links:
         if not missing or stored.core_version != CORE_VERSION:
             return {}
         scenario = Scenario.model_validate(stored.scenario)
-        if SAMPLE_BYTES * sum(most_samples(scenario, name, jumps=True) for name in missing) > MOST_PINNED:
-            return {}
         if scenario.road.profile is not None or any(map(recording_id, missing)):
             scenario = await self.recordings.on(await self.roads.on(scenario), missing)
-        cost = cost_of(scenario, missing)
+        cost = sum(estimate(scenario, name) for name in missing)
         with self.gate.computing(client, cost):
             series = await self.workers.call(pins.make, scenario, list(missing), client=client, cost=cost)
         return {missing[name]: content for name, content in series.items()}
@@ -211,23 +206,17 @@ def _batch(job: StoredJob) -> Batch:
     return Batch.from_stored(replace(job, schema_version=SCHEMA_VERSION), 0, resumable=False)
 
 
-def _histories(stored: StoredRun) -> dict[str, str]:
-    """Result keys of the strategies that have time histories."""
-    return {item.strategy: item.key for item in stored.shown}
-
-
 def _check_names(view: LinkView, stored: Iterable[str]) -> None:
     """Refuse a strategy that the result does not have and that there is not now either."""
+    named = {"baseline": view.baseline, "strategy": view.strategy, "against": view.against}
+    if view.instant is not None:
+        named["instant/strategy"] = view.instant.strategy
+    for part, names in (("strategies", view.strategies), ("hidden", view.hidden)):
+        named |= {f"{part}/{number}": name for number, name in enumerate(names or ())}
     allowed = list(dict.fromkeys([*strategies(), *sorted(stored)]))
-    for place, name in view.names():
-        if name not in allowed:
+    for place, name in named.items():
+        if name is not None and name not in ("none", *allowed):
             raise _unknown(f"view/{place}", unknown_name("strategy", name, allowed))
-
-
-def _sent(view: LinkView, requirements: Sequence[Requirement]) -> JsonObject:
-    """Return what is stored of how a result is looked at, its requirements among it."""
-    required = [each.model_dump(mode="json", exclude_none=True) for each in requirements]
-    return view.model_dump(mode="json", exclude_unset=True) | ({_REQUIREMENTS: required} if required else {})
 
 
 def _judged_run(stored: StoredRun, link: StoredLink) -> JsonObject:

@@ -65,7 +65,9 @@ def run_answer(
     if requirements:
         head["requirement_results"] = _judged(stored, requirements, baseline)
     if stored.roads == 1:
-        return head | {"strategies": {item.strategy: item.answer(**fields[item.strategy]) for item in stored.results}}
+        return head | {
+            "strategies": {name: item.answer(**fields[name]) for name, (item,) in stored.by_strategy.items()}
+        }
     baseline = baseline or stored.baseline or ""
     over_roads = means_and_changes(_driven(stored), baseline)
     return head | {
@@ -79,34 +81,32 @@ def run_answer(
     }
 
 
-def _all_that_facts_depend_on(
-    stored: StoredRun, baseline: str | None, compared: Collection[str] | None
-) -> tuple[object, ...]:
-    """Return a digest of a run and how it is compared, and the controllers as they are now, whose labels are shown."""
-    results = [(item.strategy, item.status, item.core_version, orjson.Fragment(item.json)) for item in stored.results]
+def _facts_key(stored: StoredRun, baseline: str | None, compared: Collection[str] | None) -> tuple[object, ...]:
+    """Return what facts depend on: a digest of a run and its comparison, and the controllers, which have labels."""
+    results = [
+        (name, item.status, item.core_version or stored.core_version, orjson.Fragment(item.json))
+        for name, items in stored.by_strategy.items()
+        for item in items
+    ]
     against = baseline or stored.baseline
     selected = None if compared is None else sorted(compared)
     content = orjson.dumps((stored.core_version, stored.scenario, stored.roads, against, selected, results))
     return (sha256(content).digest(), *map(find_strategy, stored.by_strategy))
 
 
-@cachetools.cached(cachetools.LRUCache(WRITTEN_FACTS), _all_that_facts_depend_on, Lock())
+@cachetools.cached(cachetools.LRUCache(WRITTEN_FACTS), _facts_key, Lock())
 def _written_facts(
     stored: StoredRun, baseline: str | None, compared: Collection[str] | None
 ) -> dict[str, orjson.Fragment]:
     """Return the facts of a stored run as JSON: to compare takes longer than all else of a stored run's answer."""
     scenario = Scenario.model_validate(stored.scenario)
-    facts = _facts(scenario, comparison_of(stored, scenario, baseline, compared))
-    return {name: orjson.Fragment(orjson.dumps(value)) for name, value in facts.items()}
-
-
-def _facts(scenario: Scenario, comparison: Comparison) -> JsonObject:
-    """Return what an answer says of its scenario and of its results; its cautions are those of the comparison."""
-    return {
+    comparison = comparison_of(stored, scenario, baseline, compared)
+    facts = {
         "characteristics": asdict(characteristics(scenario.vehicle)),
         "cautions": comparison.cautions,
         "comparison": comparison,
     }
+    return {name: orjson.Fragment(orjson.dumps(value)) for name, value in facts.items()}
 
 
 def comparison_of(
@@ -212,7 +212,9 @@ def _live(
     head = {
         "core_version": CORE_VERSION,
         "scenario": scenario.model_dump(mode="json"),
-        **_facts(scenario, comparison),
+        "characteristics": asdict(characteristics(scenario.vehicle)),
+        "cautions": comparison.cautions,
+        "comparison": comparison,
     }
     return orjson.dumps(head | {"strategies": strategies})
 

@@ -16,11 +16,12 @@ import orjson
 
 from backend.cost.affordable import simulate
 from backend.errors import ServiceError
-from backend.runs.series import ROWS, SamplingHints, SeriesArray, decimate, pack_all
+from backend.runs.series import ROWS, SAMPLE_BYTES, SamplingHints, SeriesArray, decimate, most_samples, pack_all
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
 
+MOST_PINNED = 32 * 1024 * 1024  # of one run, before they are compressed: 75 strategies on the paper's road [bytes]
 LEVEL = 1  # of zlib; 6 takes half as long again for 3 %
 MAGIC, PARQUET = b"ridelab pin 1\n", b"PAR1"  # how pins begin
 FLOAT = np.dtype("<f4")
@@ -37,12 +38,14 @@ class ParquetPinError(ServiceError):
 
 
 def make(scenario: Scenario, strategies: Sequence[str]) -> dict[str, bytes]:
-    """Simulate each strategy and pin its time histories, by strategy."""
+    """Simulate each strategy and pin its time histories, by strategy; none where all are too long to be pinned."""
+    if SAMPLE_BYTES * sum(most_samples(scenario, name, jumps=True) for name in strategies) > MOST_PINNED:
+        return {}
     return {name: write(pack_all(simulate(scenario, name)), name) for name in strategies}
 
 
 def write(series: SeriesArray, strategy: str, core_version: str = CORE_VERSION) -> bytes:
-    """The pin of one strategy's time histories, shape (signals, samples)."""
+    """Return the pin of one strategy's time histories, shape (signals, samples)."""
     units = {key: SIGNALS[key].unit for key in ROWS}
     head = orjson.dumps({"units": units, "strategy": strategy, "core_version": core_version})
     samples = np.ascontiguousarray(series[list(ROWS.values())], dtype=FLOAT)
@@ -52,13 +55,13 @@ def write(series: SeriesArray, strategy: str, core_version: str = CORE_VERSION) 
 
 
 def signals(content: bytes) -> set[str]:
-    """The pinned signals of the current catalogue with the same unit."""
+    """Return the pinned signals of the current catalogue with the same unit."""
     units = _parquet().pinned_units(content) if content.startswith(PARQUET) else _opened(content)[0]
     return {key for key, quantity in SIGNALS.items() if units.get(key) == quantity.unit}
 
 
 def columns(content: bytes, stages: SamplingHints, points: int | None) -> dict[str, SeriesArray]:
-    """By signal at most so many of its samples; `signals` in the catalogue's order."""
+    """Return by signal at most so many of its samples; `signals` in the catalogue's order."""
     present = signals(content)
     reads = _parquet().pinned_samples if content.startswith(PARQUET) else _samples
     samples: dict[str, SeriesArray] = reads(content, [key for key in SIGNALS if key in present])
@@ -78,13 +81,13 @@ def _samples(content: bytes, wanted: Sequence[str]) -> dict[str, SeriesArray]:
 
 
 def _opened(content: bytes) -> tuple[dict[str, str], bytes]:
-    """The unit of each signal, and the packed samples."""
+    """Return the unit of each signal, and the packed samples."""
     head, _, packed = content.removeprefix(MAGIC).partition(b"\n")
     return orjson.loads(head)["units"], packed
 
 
 def _parquet() -> ModuleType:
-    """What reads the pins of versions until 0.3.0.
+    """Return the module that reads the pins of versions until 0.3.0.
 
     Raises:
         ParquetPinError: It is not installed.
@@ -99,7 +102,7 @@ def _parquet() -> ModuleType:
 def opened(
     pinned: Mapping[str, bytes], stages: Mapping[str, SamplingHints], points: int | None
 ) -> dict[str, SeriesArray]:
-    """Series arrays of pinned time histories, by strategy; a signal that was not pinned is NaN throughout.
+    """Return series arrays of pinned time histories, by strategy; a signal that was not pinned is NaN throughout.
 
     Args:
         pinned: By strategy its file.

@@ -8,7 +8,7 @@ from cachetools import LRUCache
 
 from backend import digest
 from backend.compute.workers import Workers
-from backend.cost.estimate import costs_of
+from backend.cost.estimate import estimate
 from backend.gate import Gate
 from backend.json_types import JsonObject
 from backend.metrics import CACHE, RUNS, SOLVER_FALLBACKS
@@ -117,7 +117,7 @@ class Results:
     ) -> Outcomes:
         """Return the missing results by key; no more tasks at once than workers, so that others come in between."""
         names = [name for each in missing for name in each]
-        costs = costs or costs_of(roads[0], set(names))  # which no seed changes
+        costs = costs or {name: estimate(roads[0], name) for name in set(names)}  # which no seed changes
         if roads[0].road.profile is not None or any(map(recording_id, names)):
             roads = [await self.recordings.on(await self.roads.on(road), names) for road in roads]
         request = _Request(client=client, sampling=sampling, costs=costs)

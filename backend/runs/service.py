@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from backend import custom_controllers, digest
-from backend.cost.estimate import costs_of
+from backend.cost.estimate import estimate
 from backend.db.tables import EXPIRED
 from backend.errors import (
     InvalidError,
@@ -95,13 +95,13 @@ class Runs:
         if scenario.road.follows_profile:
             scenario = await self.roads.on(scenario)
         against = None if roads == 1 else baseline or default_baseline(names)
-        identity = digest.canonical_identity(scenario)
+        identity = digest.plain(scenario.identity())
         run_id = digest.run_id(scenario, names, roads, against, identity)
-        stored = await self.load(run_id)
-        if stored is not None and not stored.expired:
+        stored = await self.store.read(self.store.runs.load, run_id)
+        if stored is not None and stored.schema_version == SCHEMA_VERSION and not stored.expired:
             CACHE.labels("hit").inc(len(names) * roads)
             return stored, dict.fromkeys(names, True)
-        costs = costs_of(scenario, names)
+        costs = {name: estimate(scenario, name) for name in names}
         self.gate.check_cost(roads * sum(costs.values()))
         every = [scenario] if roads == 1 else with_seeds(scenario, roads)
         by_road = await self.results.get(every, names, client, costs=costs, identity=identity)
@@ -181,7 +181,7 @@ class Runs:
         names = ordered(strategies)
         if scenario.road.follows_profile:
             scenario = await self.roads.on(scenario)
-        costs = costs_of(scenario, names)
+        costs = {name: estimate(scenario, name) for name in names}
         self.gate.check_cost(sum(costs.values()))
         (outcomes,) = await self.results.get([scenario], names, client, sampling=sampling, costs=costs)
         render = live_binary if binary else live_json

@@ -101,15 +101,6 @@ def test_a_view_comes_back_as_it_was_sent(client: httpx.Client, run: dict[str, A
         assert opened(client, share(client, run["id"], **view)["slug"])["view"] == view
 
 
-def test_a_run_with_very_many_samples_is_shared_without_them(
-    client: httpx.Client, fresh: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("backend.links.service.MOST_PINNED", 1000)
-    link = share(client, fresh["id"])
-    assert link["series_pinned"] is opened(client, link["slug"])["series_pinned"] is False
-    assert client.get(f"/api/v1/runs/{fresh['id']}/series?strategy=lv&points=50").status_code == 200, "computed again"
-
-
 def test_pinned_histories_are_the_computed_ones_to_the_byte(
     client: httpx.Client, fresh: dict[str, Any], worker_calls: list[tuple[Any, ...]]
 ) -> None:

@@ -22,7 +22,7 @@ from backend.cost.estimate import (
     references,
 )
 from backend.ecu import program, report
-from backend.runs import bands, exports, pins
+from backend.runs import bands, exports
 from sim_core import STRATEGIES, PredictiveController, simulate
 from sim_core.control import qp
 from sim_core.errors import TooExpensiveError
@@ -125,10 +125,9 @@ def test_a_run_with_too_many_steps_ends_before_it_begins(strategy: str) -> None:
         lambda path: report.report(ENDLESS),
         lambda path: program.driven(ENDLESS, path),
         lambda path: exports.render(ENDLESS, EXPORT, None),
-        lambda path: pins.make(ENDLESS, ["lv"]),
         lambda path: bands.drive([ENDLESS], "lv", (path, 0), path),
     ],
-    ids=["controller report", "own program", "export", "pinned series", "series over roads"],
+    ids=["controller report", "own program", "export", "series over roads"],
 )
 def test_all_that_simulates_refuses_it(compute: Callable[[Path], object], tmp_path: Path) -> None:
     """Runs, solve and links: `compute_run`; batches, tunings, robustness and the paper: `compute_chunk`; below."""

@@ -126,7 +126,7 @@ def test_no_client_is_passed_over_whatever_is_sent_and_called_off(seed: int) -> 
             assert all(count <= CLIENT_SLOTS for count in crowd.queue.handled.values())
             assert crowd.queue.handled.total() <= SLOTS
             if crowd.queue.waiting and crowd.queue.handled.total() < SLOTS:
-                assert all(crowd.queue.handled[client] == CLIENT_SLOTS for client in crowd.queue._waiting)
+                assert all(crowd.queue.handled[client] == CLIENT_SLOTS for client in crowd.queue.waiting_clients)
         await crowd.drain()
 
     loops.run(told)

@@ -82,3 +82,9 @@ def test_another_catalogue_reads_what_it_knows(stages: dict[str, SamplingHints],
     assert list(answer["series"]) == list(answer["units"]) == shared
     text = exports.render_pinned({"lv": old}, stages, export(strategies=["lv"], file_format="csv"), None).decode()
     assert text.splitlines()[0].split(",") == [f"{key} [{SIGNALS[key].unit}]" for key in shared]
+
+
+def test_very_many_samples_are_not_pinned_and_not_driven_for_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pins, "MOST_PINNED", 1000)
+    monkeypatch.setattr(pins, "simulate", None)
+    assert pins.make(SCENARIO, ["lv", "passive"]) == {}
