@@ -4,7 +4,6 @@
 sensor's noise with the filter that uses it: `conditional_reads` says with which.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import chain, product
@@ -25,6 +24,7 @@ from sim_core.strategies.reads import (
 
 _POLICY = "speed.policy"
 _POLICIES = get_args(Speed.model_fields["policy"].annotation)
+_PLANS = "constant", "planned"  # policies at which every strategy has the same plan
 # What only acts on a car that brakes.
 _BRAKING = {"vehicle.cg_height", "vehicle.anti_dive", "vehicle.anti_lift", "vehicle.front_brake_share"}
 _EXPECTED = "expected_offset", "expected_noise"
@@ -83,27 +83,24 @@ def conditional_reads(strategy: type[Controller]) -> tuple[ConditionalReads, ...
         for conditions in _all(driven, rules.get(name, _ALWAYS)):
             groups.setdefault(conditions, []).append(name)
     return tuple(
-        ConditionalReads(fields=_in_parts(names), conditions=conditions)
+        ConditionalReads(fields=merge_into_parts(frozenset(names)), conditions=conditions)
         for conditions, names in sorted(groups.items(), key=lambda group: len(group[0]))
     )
 
 
 def _with_policies(strategy: type[Controller]) -> dict[str, Alternatives]:
-    """Name what the strategy reads at any speed policy, each with the policies at which it does."""
-    policies: dict[str, list[str]] = {}
+    """Name what the strategy reads, with the speed policies at which it does: at each, or where the car brakes."""
+    constant, planned = (list(chain.from_iterable(map(_leaves, reads(strategy, plan)))) for plan in _PLANS)
     # One's own is told the vehicle and may use all of it; an ECU's program is scaled by what braking would do.
-    may_count = strategy.id not in STRATEGIES or strategy.delayed
-    for policy in _POLICIES:
-        idle = set() if may_count or resolve_speed_plan(strategy, policy) == "planned" else _BRAKING
-        for name in chain.from_iterable(map(_leaves, reads(strategy, policy))):
-            if name not in idle:
-                policies.setdefault(name, []).append(policy)
-    return {name: _ALWAYS if len(some) == len(_POLICIES) else _braking_at(some) for name, some in policies.items()}
+    idle = set() if strategy.id not in STRATEGIES or strategy.delayed else _BRAKING
+    always, braking = {*constant} - idle, _braking(strategy)
+    return {name: _ALWAYS if name in always else braking for name in planned}
 
 
-def _braking_at(policies: Sequence[str]) -> Alternatives:
-    """Return the conditions under which a car brakes: one of these speed policies, and a bump."""
-    return _all(_is(_POLICY, *policies), _is(HAS_BUMP, True))
+def _braking(strategy: type[Controller]) -> Alternatives:
+    """Return the conditions under which its car brakes: a speed policy at which it does, and a bump."""
+    planned = [policy for policy in _POLICIES if resolve_speed_plan(strategy, policy) == "planned"]
+    return _all(_is(_POLICY, *planned), _is(HAS_BUMP, True))
 
 
 @cache
@@ -111,12 +108,6 @@ def _leaves(name: str) -> tuple[str, ...]:
     """Return the fields of a part; a field or an option as it is."""
     below = [each for each in dotted.scenario_fields() if dotted.is_within(each, name)]
     return tuple(each for each in below if not each.rpartition(".")[2].isdigit()) or (name,)
-
-
-def _in_parts(names: Sequence[str]) -> tuple[str, ...]:
-    """Return the same with a part's name in place of those of all its fields."""
-    options = [name for name in names if name.startswith(dotted.OWN)]
-    return (*merge_into_parts(frozenset(names)), *options)
 
 
 def _rules(strategy: type[Controller]) -> dict[str, Alternatives]:
@@ -150,8 +141,7 @@ def _preview_rules(strategy: type[Controller]) -> dict[str, Alternatives]:
         name: _previews(strategy, *(mode for mode in PREVIEWS if name in fields_read_by(mode)))
         for name in fields_read_by(MOST_INFORMED)
     }
-    braking = [policy for policy in _POLICIES if resolve_speed_plan(strategy, policy) == "planned"]
-    needs[_DETECTION] = _any(_braking_at(braking), needs[_DETECTION])
+    needs[_DETECTION] = _any(_braking(strategy), needs[_DETECTION])
     return needs | {_KNOWS_PREVIEW: _all(_filtered(strategy), needs[_KNOWS_PREVIEW])}
 
 

@@ -67,9 +67,8 @@ def dependencies(strategy: type[Controller], plan: SpeedPlan, preview: Preview) 
     """
     readers = ["every_run", preview, *["actuators"] * strategy.actuated, *["speed_plan"] * (plan == "planned")]
     declared = [each.name for each in strategy.declared.values() if isinstance(each, ScenarioField)]
-    names = chain(declared, *map(fields_read_by, readers))
-    options = (f"{OWN}{strategy.id}",) if strategy.options() else ()
-    return (*merge_into_parts(frozenset(names)), *options)
+    options = [f"{OWN}{strategy.id}"] if strategy.options() else []
+    return merge_into_parts(frozenset(chain(declared, options, *map(fields_read_by, readers))))
 
 
 @cache
@@ -89,8 +88,9 @@ def _read_by(reader: str, part: type[BaseModel], prefix: str) -> Iterator[str]:
 
 @cache
 def merge_into_parts(names: frozenset[str]) -> tuple[str, ...]:
-    """Return the same fields, with a part's name in place of those of all its fields."""
-    return tuple(sorted(_of_part(Scenario, "", names)))
+    """Return the same fields, with a part's name in place of those of all its fields; custom options come last."""
+    options = (name for name in names if name.startswith(OWN))
+    return (*sorted(_of_part(Scenario, "", names)), *sorted(options))
 
 
 def _of_part(part: type[BaseModel], prefix: str, names: frozenset[str]) -> set[str]:

@@ -47,6 +47,16 @@ def test_a_run_is_computed_and_nothing_is_left_behind(alone: Cli, tmp_path: Path
     assert list(tmp_path.iterdir()) == []
 
 
+def test_the_demonstration_is_a_run_that_needs_no_service(alone: Cli, tmp_path: Path) -> None:
+    text, answer = alone("demo"), json.loads(alone("demo", "--json"))
+    assert text.startswith("A car at 50 km/h, a bump 0.1 m high and 4 m long, computed here.\n")
+    assert list(answer) == ["lv", "lqr", "passive"]
+    peak = simulate(Scenario(), "lv").metrics["bump"]["body_acceleration"]["peak"]
+    assert answer["lv"]["metrics"]["bump"]["body_acceleration"]["peak"] == peak
+    assert f"{peak:.4g} (-85." in text
+    assert list(tmp_path.iterdir()) == []
+
+
 @pytest.mark.usefixtures("alone")
 def test_controllers_of_a_package_are_driven_by_a_service(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "laws-1.dist-info").mkdir()

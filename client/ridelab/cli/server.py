@@ -3,7 +3,6 @@
 import contextlib
 import os
 import signal
-import subprocess
 import sys
 import webbrowser
 from pathlib import Path
@@ -12,12 +11,14 @@ from typing import Annotated
 import typer
 
 from ridelab.cli import fields, options, targets
-from ridelab.cli.reporting import note, say
+from ridelab.cli.reporting import note, print_json, say
+from ridelab.cli.run import run
 from ridelab.cli.service import Services, check_core, end_as_server, server_command, server_environment
 
 _WHERE = f"Where the database is [default: {options.DATA_FOLDER}]."
 _PORT = "Port to listen on, 0 for a free one [default: 8000, a free one where that is taken]."
 _RESULT = "Scenario, preset, run id, batch id, link, or address of one."
+_DEMO = "lv", "lqr", "passive"
 DatabaseDir = Annotated[Path | None, options.option("DIR", _WHERE, envvar="RIDELAB_DATA_DIR", parser=options.folder)]
 
 
@@ -54,10 +55,12 @@ def _has_screen() -> bool:
 def demo(as_json: options.AsJson = False) -> None:
     """Play the paper's comparison in the terminal: LV control, LQR and the passive car; no service needed."""
     check_core()
-    command = [sys.executable, "-P", "-m", "sim_core.demo", *["--json"] * as_json]
-    run = subprocess.run(command, env=server_environment(), check=False)  # noqa: S603  # no shell
-    if run.returncode:
-        raise typer.Exit(run.returncode)
+    with Services(None, None) as services:
+        if as_json:
+            print_json(services.quick.run({}, _DEMO).answer["strategies"])
+        else:
+            typer.echo("A car at 50 km/h, a bump 0.1 m high and 4 m long, computed here.\n")
+            run(services, strategy=list(_DEMO))
     note("ridelab serve opens the laboratory in a browser")
 
 
