@@ -108,7 +108,7 @@ class Cache:
 
     @property
     def size(self) -> int:
-        """How much is cached [bytes]."""
+        """Return how much is cached [bytes]."""
         return int(self._entries.currsize)
 
     def results(self) -> list[Any]:

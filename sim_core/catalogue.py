@@ -83,7 +83,7 @@ class Metric:
 
     @property
     def key(self) -> str:
-        """The flat name, as the columns of tables have it: `bump.body_acceleration.peak`."""
+        """Return the flat name, as the columns of tables have it: `bump.body_acceleration.peak`."""
         return ".".join(self.path).removeprefix("metrics.")
 
     def of(self, summary: Mapping[str, Any]) -> Any:
@@ -119,7 +119,7 @@ def _metrics() -> dict[str, Metric]:
     return {metric.key: metric for metric in metrics}
 
 
-# Every number of a result by its flat name: the columns of tables, the figures of summaries, objectives and limits.
+# Every number of a result by its flat name: the columns of tables, the metrics of summaries, objectives and limits.
 METRICS = _metrics()
 NUMBERS = tuple(key for key, metric in METRICS.items() if not metric.flag)
 PAPER_METRICS = tuple(

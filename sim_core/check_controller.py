@@ -24,7 +24,7 @@ from sim_core.strategies.reads import CLASS_ATTRIBUTES, dependencies
 from sim_core.vehicle.model import SemiActiveDampers
 
 _SHORT = Scenario(road=Road(length=60, bump=Bump(start=30)))
-_SAME_LAW = 1e-4  # relative: a solver's answer is no closer to the law's
+_SAME_FORCE = 1e-4  # relative: a solver's answer is no closer to the linear law's
 _NEGLIGIBLE = 1e-6  # in SI units: smaller differences do not count
 ID = "^[a-z][a-z0-9_]{0,63}$"
 _TAKEN = ("none",)  # what a view says where no strategy is chosen
@@ -199,4 +199,4 @@ class _ByForce(Controller):
 def _close(first: StrategyResult, second: StrategyResult) -> bool:
     of_signals = [metric for metric in METRICS.values() if metric.path[0] == "metrics"]
     ours, theirs = ([metric.of(each.summary()) for metric in of_signals] for each in (first, second))
-    return np.allclose(ours, theirs, rtol=_SAME_LAW, atol=_NEGLIGIBLE)
+    return np.allclose(ours, theirs, rtol=_SAME_FORCE, atol=_NEGLIGIBLE)

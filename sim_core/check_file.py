@@ -13,7 +13,7 @@ from sim_core.scenario import Bump, Road, Scenario, Vehicle
 from sim_core.simulate import simulate
 
 FAULTS, UNUSABLE = 1, 2
-MEMORY = 2**31  # a process that checks may have, so that a law that takes ever more is told so [bytes]
+MEMORY = 2**31  # a process that checks may have, so that a controller that takes ever more is told so [bytes]
 _HEAVY = Scenario(
     vehicle=Vehicle(body_mass=1800, pitch_inertia=2300, cg_to_front=1.2, front_spring=35_000, front_damping=4000),
     road=Road(length=60, bump=Bump(start=30)),

@@ -22,7 +22,7 @@ _PADE = [
 
 
 def exponential(matrix: FloatArray) -> FloatArray:
-    """e^A of one matrix (n, n) or of each of several (..., n, n).
+    """Return e^A of one matrix (n, n) or of each of several (..., n, n).
 
     Padé's approximation of degree 13, with scaling and squaring (Higham 2005, SIAM J. Matrix Anal. Appl. 26).
     """
@@ -60,7 +60,7 @@ def lyapunov(A: FloatArray, Q: FloatArray) -> FloatArray:
 
 
 def riccati(A: FloatArray, B: FloatArray, Q: FloatArray, R: FloatArray, N: FloatArray) -> FloatArray:
-    """Stabilising P (n, n) of the discrete Riccati equation with cross term N, by structured doubling.
+    """Return the stabilising P (n, n) of the discrete Riccati equation with cross term N, by structured doubling.
 
     Chu, Fan, Lin and Wang 2004 (Int. J. Control 77): k passes cover 2^k steps. SciPy's solver reorders a Schur form,
     which fails for some ordinary cars with q4 = 0 (docs/decisions/0003-riccati-by-doubling.md).

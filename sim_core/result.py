@@ -44,7 +44,7 @@ class Series(Mapping[str, FloatArray]):
         return self._make_columns(slice(0, -(-self._length // self._each)))
 
     def __getitem__(self, key: str) -> FloatArray:
-        """The history of a signal (samples,), put together anew each time: long ones would take as much again."""
+        """Return the history of a signal (samples,), put together anew each time: many long ones take much memory."""
         return self.between(key, 0, self._length)
 
     def between(self, key: str, start: int, end: int, dtype: type[np.floating[Any]] = np.float64) -> NDArray[Any]:
@@ -63,7 +63,7 @@ class Series(Mapping[str, FloatArray]):
 
     @cached_property
     def jumps(self) -> NDArray[np.intp]:
-        """The samples at which a held force jumps: what it was just before is in none of the histories (jumps,)."""
+        """Return the samples (jumps,) at which a held force jumps: no history has what it was just before."""
         if not (set(_FORCES) <= self._columns.keys()):
             return np.zeros(0, np.intp)
         samples = np.arange(self._each, self._length, self._each)
@@ -111,7 +111,7 @@ class Series(Mapping[str, FloatArray]):
         return self._columns[key]
 
     def __iter__(self) -> Iterator[str]:
-        """Names in the catalogue's order."""
+        """Yield names in the catalogue's order."""
         return iter(SIGNALS)
 
     def __len__(self) -> int:

@@ -41,7 +41,7 @@ class WheelForEveryPython(bdist_wheel):
     """The library knows nothing of Python: one wheel a platform serves every version."""
 
     def get_tag(self) -> tuple[str, str, str]:
-        """Tags of the wheel."""
+        """Return the tags of the wheel."""
         return "py3", "none", super().get_tag()[2]
 
 

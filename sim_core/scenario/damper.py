@@ -46,12 +46,12 @@ DamperCurve = Annotated[
 
 
 def with_origin(points: _Points) -> _Points:
-    """The points with 0 N at 0 m/s among them; between them, and beyond the outer ones, the force goes straight."""
+    """Return the points with 0 N at 0 m/s among them; between them, and beyond the outer ones, the force is linear."""
     return points if any(velocity == 0 for velocity, _ in points) else tuple(sorted((*points, (0.0, 0.0))))
 
 
 def slopes_at_rest(points: _Points) -> tuple[float, float]:
-    """Damping [N s/m] around 0 m/s, in compression and in rebound."""
+    """Return the damping around 0 m/s, in compression and in rebound [N s/m]."""
     whole = with_origin(points)
     at = whole.index((0.0, 0.0))
     (v0, f0), (v1, f1) = whole[at - 1], whole[at + 1]
@@ -59,7 +59,7 @@ def slopes_at_rest(points: _Points) -> tuple[float, float]:
 
 
 def hardest(points: _Points) -> float:
-    """Greatest slope of a curve [N s/m]."""
+    """Return the greatest slope of a curve [N s/m]."""
     whole = with_origin(points)
     return max((f1 - f0) / (v1 - v0) for (v0, f0), (v1, f1) in pairwise(whole))
 

@@ -70,7 +70,7 @@ class DataSheet(Part):
         return one_track(values)
 
     def _wheel(self, axle: str) -> tuple[float, float, float]:
-        """Of one wheel: its share of the body [kg], spring and tyre in series, and the tyre [N/m]."""
+        """Return one wheel's share of the body [kg], spring and tyre in series, and the tyre [N/m]."""
         names = ("axle_load", "axle_mass", "frequency", "tyre_stiffness")
         load, wheels, frequency, tyre = (getattr(self, f"{axle}_{name}") for name in names)
         mass = (load - wheels) / 2

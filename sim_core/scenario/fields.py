@@ -77,7 +77,7 @@ class Part(BaseModel):
     )
 
     def identity(self) -> dict[str, Any]:
-        """What a stored result or run is known by, plain JSON: every member, of those marked `ADDED` what is set.
+        """Return what a stored result or run is known by, plain JSON: every member, of those `ADDED` what is set.
 
         So a member that is added leaves every identity as it was where nobody sets it.
         """
@@ -97,7 +97,7 @@ class Part(BaseModel):
 
 @cache
 def _added(part: type[Part]) -> tuple[tuple[str, Any], ...]:
-    """Names and defaults of its fields that are marked `ADDED`."""
+    """Return names and defaults of the fields that are marked `ADDED`."""
     return tuple((name, info.default) for name, info in part.model_fields.items() if ADDED in info.metadata)
 
 

@@ -115,7 +115,7 @@ def _table_1() -> Iterator[FuzzyRule]:
 
 
 def even_triangles(end: float) -> tuple[FuzzySet, ...]:
-    """Table 1's sets: five even triangles over a universe from 0; the outer two are halves."""
+    """Return Table 1's sets: five even triangles over a universe from 0; the outer two are halves."""
     width = end / (len(SET_NAMES) - 1)
     return tuple(
         FuzzySet(name=name, function="trimf", corners=((i - 1) * width, i * width, (i + 1) * width))
@@ -142,17 +142,17 @@ class Fuzzy(Part):
 
     @property
     def speed_errors(self) -> tuple[FuzzySet, ...]:
-        """Sets of the speed error [km/h]."""
+        """Return the sets of the speed error [km/h]."""
         return even_triangles(SPEED_ERROR_MAX) if self.inputs is None else self.inputs.speed_error
 
     @property
     def distances(self) -> tuple[FuzzySet, ...]:
-        """Sets of the distance [m]."""
+        """Return the sets of the distance [m]."""
         return even_triangles(DISTANCE_MAX) if self.inputs is None else self.inputs.distance
 
     @property
     def torques(self) -> tuple[FuzzySet, ...]:
-        """Sets of the torque, as a share of the greatest."""
+        """Return the sets of the torque, as a share of the greatest."""
         return self.output or even_triangles(1.0)
 
     @model_validator(mode="after")

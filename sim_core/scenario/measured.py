@@ -49,7 +49,7 @@ class MeasuredRoad(Packed):
 
     @property
     def length(self) -> float:
-        """From the first height to the last [m]."""
+        """Return the distance from the first height to the last [m]."""
         return (self.samples - 1) / PER_METRE
 
     @classmethod

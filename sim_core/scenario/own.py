@@ -40,7 +40,7 @@ class Own(Part):
 
     @property
     def controllers(self) -> dict[str, dict[str, Any]]:
-        """The options of each controller, by its id."""
+        """Return the options of each controller, by its id."""
         return self.__pydantic_extra__
 
     @model_validator(mode="after")

@@ -40,12 +40,12 @@ class Speed(Part):
 
     @property
     def initial(self) -> float:
-        """Initial speed [m/s]."""
+        """Return the initial speed [m/s]."""
         return self.initial_speed_kmh * KMH
 
     @property
     def target(self) -> float:
-        """Target speed [m/s]."""
+        """Return the target speed [m/s]."""
         return self.target_speed_kmh * KMH
 
 
@@ -156,7 +156,7 @@ class Scenario(Part):
     _recordings: dict[str, RecordedDrive] = PrivateAttr(default_factory=dict)
 
     def on(self, measured: MeasuredRoad) -> "Scenario":
-        """The scenario with the heights of the measured road that `road.profile` names, without which it is not driven.
+        """Return the scenario with the heights of the measured road that `road.profile` names, which a drive needs.
 
         Where it was given no `road.length`, it has the profile's from here on. A bump of height 0 that was given no
         place has none.
@@ -193,7 +193,7 @@ class Scenario(Part):
 
     @property
     def real_vehicle(self) -> Vehicle:
-        """The car that is driven; `vehicle` is the one the controllers believe in."""
+        """Return the car that is driven; `vehicle` is the one the controllers believe in."""
         return self.mismatch.real(self.vehicle)
 
     @property
@@ -204,22 +204,22 @@ class Scenario(Part):
 
     @property
     def bump_start(self) -> float:
-        """Where the front axle meets the bump [m]; the road's end where there is none."""
+        """Return where the front axle meets the bump [m]: the road's end where there is none."""
         return self.road.bump.start if self.road.has_bump else self.road.length
 
     @property
     def braking_start(self) -> float:
-        """Where the front axle is when the bump is detected and braking begins [m]; the road's end without a bump."""
+        """Return where the front axle is when braking for the bump begins [m]: the road's end without a bump."""
         return max(0.0, self.bump_start - self.speed.detection_distance) if self.road.has_bump else self.road.length
 
     @property
     def rear_axle_offset(self) -> float:
-        """How far behind the front axle the rear one meets the road [m]: the wheelbase; 0 where both do so together."""
+        """Return how far behind the front axle the rear one meets the road [m]: 0 where both do so together."""
         return 0.0 if self.road.rear_axle == "together" else self.vehicle.wheelbase
 
     @property
     def bump_left(self) -> float:
-        """Where the front axle is when both axles have left the bump [m]."""
+        """Return where the front axle is when both axles have left the bump [m]."""
         return (self.road.bump.end if self.road.has_bump else self.road.length) + self.rear_axle_offset
 
     @model_validator(mode="after")

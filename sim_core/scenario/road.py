@@ -55,12 +55,12 @@ class Bump(Part):
 
     @property
     def length(self) -> float:
-        """From the start of the first to the end of the last [m]."""
+        """Return the distance from the start of the first bump to the end of the last [m]."""
         return (self.count - 1) * self.spacing + self.width
 
     @property
     def end(self) -> float:
-        """Where the last one ends [m]."""
+        """Return where the last bump ends [m]."""
         return self.start + self.length
 
 
@@ -96,7 +96,7 @@ class Road(Part):
 
     @property
     def measured(self) -> MeasuredRoad | None:
-        """The heights of `profile`, where somebody handed them over (`Scenario.on`); never those of another road."""
+        """Return the heights of `profile`, where `Scenario.on` got them; never those of another road."""
         return self._measured if self._measured is not None and self._measured.id == self.profile else None
 
     @property

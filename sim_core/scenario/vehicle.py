@@ -48,12 +48,12 @@ class Vehicle(Part):
 
     @property
     def lowered(self) -> tuple[float, float]:
-        """How much further than that of the believed car its body's weight compresses front and rear suspension [m]."""
+        """Return how much more the body's weight compresses front and rear suspension than the believed car's [m]."""
         return self._lowered
 
     @property
     def stop_clearances(self) -> tuple[tuple[float, float], tuple[float, float]]:
-        """Travel from rest to the stops in compression, front and rear, then in rebound [m].
+        """Return the travel from rest to the stops in compression, front and rear, then in rebound [m].
 
         Infinite without stops, below 0 where the car rests on one.
         """
@@ -63,7 +63,7 @@ class Vehicle(Part):
 
     @property
     def link_forces(self) -> tuple[float, float]:
-        """What links lift the body by over both axles, and press the wheels by, as an actuator would [N per m/s²]."""
+        """Return the force by which links lift the body over both axles, and press the wheels [N per m/s²]."""
         transfer = self.body_mass * self.cg_height / self.wheelbase
         front, rear = self.front_brake_share * self.anti_dive, (1 - self.front_brake_share) * self.anti_lift
         return front * transfer, -rear * transfer
@@ -76,7 +76,7 @@ class Vehicle(Part):
 
     @property
     def damper_curves(self) -> tuple[DamperCurve, DamperCurve] | None:
-        """Both dampers' curves where one has any; the other's is straight in compression and in rebound."""
+        """Return both dampers' curves where one has any; the other's is straight in compression and in rebound."""
         curves = self.front_damper_curve, self.rear_damper_curve
         if curves == (None, None):
             return None
@@ -86,7 +86,7 @@ class Vehicle(Part):
 
     @property
     def damping_at_rest(self) -> tuple[float, float]:
-        """Mean damping around 0 m/s, front and rear [N s/m]."""
+        """Return the mean damping around 0 m/s, front and rear [N s/m]."""
         if self.damper_curves is None:
             return self.front_damping, self.rear_damping
         front, rear = (sum(slopes_at_rest(points)) / 2 for points in self.damper_curves)
@@ -94,29 +94,29 @@ class Vehicle(Part):
 
     @property
     def damping_factors(self) -> tuple[float, float]:
-        """Damping in compression and in rebound over their mean."""
+        """Return the damping in compression and in rebound over their mean."""
         compression = 2 / (1 + self.rebound_ratio)
         return compression, compression * self.rebound_ratio
 
     @property
     def wheelbase(self) -> float:
-        """Distance between the axles L = a + b [m]."""
+        """Return the distance between the axles L = a + b [m]."""
         return self.cg_to_front + self.cg_to_rear
 
     @property
     def total_mass(self) -> float:
-        """Body and both wheels [kg]."""
+        """Return the mass of body and both wheels [kg]."""
         return self.body_mass + self.front_wheel_mass + self.rear_wheel_mass
 
     @property
     def body_loads(self) -> tuple[float, float]:
-        """Weight of the body on the front and the rear suspension [N]."""
+        """Return the weight of the body on the front and the rear suspension [N]."""
         body = self.body_mass * GRAVITY / self.wheelbase
         return body * self.cg_to_rear, body * self.cg_to_front
 
     @property
     def static_loads(self) -> tuple[float, float]:
-        """Static tyre loads, front and rear [N]: each axle's share of the body, and its wheel."""
+        """Return the static tyre loads, front and rear [N]: each axle's share of the body, and its wheel."""
         front, rear = self.body_loads
         return front + self.front_wheel_mass * GRAVITY, rear + self.rear_wheel_mass * GRAVITY
 

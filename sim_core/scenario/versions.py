@@ -17,7 +17,7 @@ Step = Callable[[dict[str, Any]], dict[str, Any]]
 
 
 def _with_unaided_filter(scenario: dict[str, Any]) -> dict[str, Any]:
-    """Version 1, of core 0.3.0 and before: its filter was never told of a preview."""
+    """Return a scenario of version 1, of core 0.3.0 and before, whose filter was never told of a preview."""
     return {**scenario, "estimation": {"knows_preview": False, **scenario.get("estimation", {})}}
 
 

@@ -45,7 +45,7 @@ class SpeedProfile:
     braking: FloatArray
 
     def at(self, time: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Position [m] and speed [m/s] at times [s] of any shape: cubic Hermite between samples, linear around."""
+        """Return position [m] and speed [m/s] at times [s] of any shape: cubic Hermite between samples."""
         t0, t1 = self.time[0], self.time[-1]
         inside = np.clip(time, t0, t1)
         step = self.time[1] - t0
@@ -60,15 +60,15 @@ class SpeedProfile:
         return position, v0 + s * (v1 - v0)
 
     def sample(self, values: FloatArray, time: FloatArray) -> FloatArray:
-        """One of the sampled columns at times [s], linear in between; its end values outside."""
+        """Return one of the sampled columns at times [s], linear in between; its end values outside."""
         return np.interp(time, self.time, values)
 
     def time_at(self, position: float) -> float:
-        """When the front axle is at a position [m] [s]."""
+        """Return when the front axle is at a position [m] [s]."""
         return _time_at(self, position)
 
     def control_steps(self, road_length: float, step: float) -> tuple[int, int]:
-        """Control steps [s each] before x = 0, and in all over a road [m]: the last begins at its end or before it."""
+        """Return the control steps [s each] before x = 0 and in all; the last begins at the road's end [m] or before."""
         run_in_steps = ceil(RUN_IN / (self.initial_speed * step))
         return run_in_steps, run_in_steps + int(self.time_at(road_length) / step + 1e-6) + 1
 

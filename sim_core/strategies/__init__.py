@@ -31,7 +31,7 @@ REFERENCE_STRATEGIES = tuple(name for name, strategy in STRATEGIES.items() if no
 
 
 def strategies() -> dict[str, type[Controller]]:
-    """Ours, and those of `RIDELAB_CONTROLLERS` and of installed packages, by id.
+    """Return our strategies, and those of `RIDELAB_CONTROLLERS` and of installed packages, by id.
 
     Raises:
         ControllerFileError: One of those files cannot be used.
@@ -133,7 +133,7 @@ def speed_plan_on(strategy: type[Controller], scenario: Scenario) -> SpeedPlan:
 
 
 def reads(strategy: type[Controller], policy: str = "by_strategy") -> tuple[str, ...]:
-    """Dotted names of the parts and fields of a scenario that a strategy's result depends on; on nothing else.
+    """Return the dotted names of the parts and fields of a scenario on which alone a strategy's result depends.
 
     Args:
         strategy: The strategy; with each kind of preview that a scenario may have it look at.
@@ -144,7 +144,7 @@ def reads(strategy: type[Controller], policy: str = "by_strategy") -> tuple[str,
 
 
 def reads_in(scenario: Scenario, strategy: type[Controller]) -> tuple[str, ...]:
-    """Dotted names of what a strategy's result depends on under a scenario, with the preview that it has there.
+    """Return the dotted names of what a strategy's result depends on in a scenario, with the preview that it has there.
 
     The speed policy, which decides the speed plan on a road with a bump, is not among them.
     """
@@ -172,7 +172,7 @@ def values_read(
 
 
 def _leaves(path: str, value: Any) -> dict[str, Any]:
-    """Field by field: whether all fields of a part are read changes when one is added, and then says nothing new."""
+    """Return values field by field: a field that is added to a part may not change what others are known by."""
     if not isinstance(value, dict):
         return {path: value}
     return {name: leaf for key, item in value.items() for name, leaf in _leaves(f"{path}.{key}", item).items()}

@@ -56,7 +56,7 @@ def is_set_by_field(strategy: type[Controller], name: str) -> bool:
 
 
 def dependencies(strategy: type[Controller], plan: SpeedPlan, preview: Preview) -> tuple[str, ...]:
-    """Dotted names of the parts and fields that its result depends on; on nothing else.
+    """Return the dotted names of the parts and fields on which alone its result depends.
 
     The speed policy, which decides the plan, is not among them.
 
