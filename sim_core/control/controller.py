@@ -224,23 +224,19 @@ class Controller:
         """Release what `start` took; called once after a run, also after one that failed."""
 
     def _set(self, scenario: Scenario) -> None:
-        options, declared = scenario.own.of(self.id), self.declared
+        """Give each declared field the object's own value, else the scenario's, else its default."""
+        given, options = own_values(self), scenario.own.of(self.id)
         for name in options:
-            if not isinstance(declared.get(name), Option):
+            if not isinstance(self.declared.get(name), Option):
                 raise RefusedError(f"{self.label} has no such option", field=option_name(type(self), name))
-        for name, field in declared.items():
-            value = self._field_value(name, field, scenario)
-            checked = checked_value(type(self), name, value) if name in options else value
-            vars(self)[name] = checked  # not by assigning, which would make it the object's own
-
-    def _field_value(self, name: str, field: ScenarioField | Option, scenario: Scenario) -> Any:
-        """Return the value, not checked, that one of its declared fields has in a run of a scenario."""
-        given = own_values(self)
-        if name in given:
-            return given[name]
-        if isinstance(field, ScenarioField):
-            return scenario_value(scenario, field.name)
-        return scenario.own.of(self.id).get(name, field.default)
+        for name, field in self.declared.items():
+            if name in given:
+                value = given[name]
+            elif isinstance(field, ScenarioField):
+                value = scenario_value(scenario, field.name)
+            else:
+                value = checked_value(type(self), name, options[name]) if name in options else field.default
+            vars(self)[name] = value  # not by assigning, which would make it the object's own
 
 
 def linear_force(law: LinearLaw, seen: Seen) -> FloatArray:

@@ -68,7 +68,7 @@ class SpeedProfile:
         return _time_at(self, position)
 
     def control_steps(self, road_length: float, step: float) -> tuple[int, int]:
-        """Return the control steps [s each] before x = 0 and in all; the last begins at the road's end [m] or before."""
+        """Return the control steps [s each] before x = 0 and in all; the last begins before the road's end [m]."""
         run_in_steps = ceil(RUN_IN / (self.initial_speed * step))
         return run_in_steps, run_in_steps + int(self.time_at(road_length) / step + 1e-6) + 1
 
