@@ -34,6 +34,5 @@ SWEEP = JobKind(
     compute=compute,
     order=coarse_first,
     keys=with_keys,
-    jobs_gauge=BATCHES,
-    runs_gauge=BATCH_QUEUE,
+    gauges=(BATCHES, BATCH_QUEUE),
 )

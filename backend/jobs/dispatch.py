@@ -1,10 +1,10 @@
 """Chunks are sent to what computes them, come back, and are stored in the database."""
 
 import asyncio
+import itertools
 import logging
 import time
-from collections.abc import Coroutine, Mapping, Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
 
 import orjson
 from sqlalchemy.exc import DataError, IntegrityError, ProgrammingError, SQLAlchemyError
@@ -42,16 +42,15 @@ class Dispatch:
         store: Of the service.
         workers: Processes that give runs their keys.
         timeout: A whole chunk may take so long [s].
-        chunk_ended: Is set when one has come back, or was stored.
     """
 
-    def __init__(self, store: Store, workers: Workers, timeout: float, chunk_ended: asyncio.Event) -> None:
+    def __init__(self, store: Store, workers: Workers, timeout: float) -> None:
         self._store = store
         self._workers = workers
         self._timeout = timeout
-        self._computing: set[asyncio.Task[None]] = set()
-        self._committing: set[asyncio.Task[None]] = set()
-        self._chunk_ended = chunk_ended
+        self._numbers = itertools.count()
+        self._computing: dict[int, asyncio.Task[None]] = {}
+        self._committing: dict[int, asyncio.Task[None]] = {}
         self.obstacle: str | None = None  # why nothing is computed, since the last that came back with results
         self.progressed = time.monotonic()  # when one came back with results, or none was there to send
 
@@ -64,23 +63,22 @@ class Dispatch:
         """Have these runs computed, and store their results; a job's first goes before others' later ones."""
         priority = -running.open_chunks
         running.open_chunks += 1
-        _keep(self._computing, self._compute(executor, running, runs, priority))
+        number = next(self._numbers)
+        work = self._compute_and_store(number, executor, running, runs, priority)
+        self._computing[number] = asyncio.create_task(work)
 
-    async def stop_computing(self) -> None:
-        """Cancel the chunks being computed; those that came back are still stored."""
-        await _cancel(self._computing)
+    async def close(self, *, committing: bool = True) -> None:
+        """Cancel the chunks being computed, and those that came back unless these are still to be stored."""
+        cancelled = [*self._computing.values(), *(self._committing.values() if committing else ())]
+        for task in cancelled:
+            task.cancel()
+        await asyncio.gather(*cancelled, return_exceptions=True)
 
-    async def close(self) -> None:
-        """Cancel every chunk."""
-        await _cancel(self._computing)
-        await _cancel(self._committing)
-
-    async def _compute(self, executor: Executor, running: RunningJob, runs: list[JobRun], priority: int) -> None:
-        committing = False
+    async def _compute_and_store(
+        self, number: int, executor: Executor, running: RunningJob, runs: list[JobRun], priority: int
+    ) -> None:
         try:
             runs, outcome = await self._computed(executor, running, runs, priority)
-            if not runs:
-                return
             if outcome.computed is not None:
                 self.obstacle, self.progressed = None, time.monotonic()
                 computed, failures = _split(running, runs, outcome.computed)
@@ -88,11 +86,14 @@ class Dispatch:
                 return
             else:
                 computed, failures = [], {run.position: REASONS[outcome.error or "bug"] for run in runs}
-            _keep(self._committing, self._commit(running, computed, failures))
-            committing = True
+            if runs:
+                self._committing[number] = self._computing.pop(number)
+                await self._commit(running, computed, failures)
         finally:
-            if not committing:
-                self._end(running)
+            self._computing.pop(number, None)
+            self._committing.pop(number, None)
+            running.open_chunks -= 1
+            self._store.changed(running.job.id)
 
     async def _computed(
         self, executor: Executor, running: RunningJob, runs: list[JobRun], priority: int
@@ -163,10 +164,7 @@ class Dispatch:
 
     async def _commit(self, running: RunningJob, computed: Sequence[Outcome], failures: Mapping[int, str]) -> None:
         """Store a chunk's results, and wait for the database as long as it is away."""
-        try:
-            new, failed = await self._save(running.job, computed, failures)
-        finally:
-            self._end(running)
+        new, failed = await self._save(running.job, computed, failures)
         stored = [run for run in computed if run.key in new]  # not what was sent again while it waited for the database
         refused = sum(run.status == "failed" for run in stored)
         metrics.count_runs("batch", "ok", len(stored) - refused, sum(run.fallbacks for run in stored))
@@ -188,10 +186,6 @@ class Dispatch:
                 logger.warning("A chunk waits for the database: %s", type(error).__name__)
                 await asyncio.sleep(PAUSE_AFTER_FAILURE)
 
-    def _end(self, running: RunningJob) -> None:
-        running.open_chunks -= 1
-        self._chunk_ended.set()
-
 
 def _split(
     running: RunningJob, runs: Sequence[JobRun], computed: Sequence[Outcome]
@@ -204,17 +198,3 @@ def _split(
     running.take_back(left)
     failures = {run.position: reasons[run.key] for run in runs if run.key in reasons}
     return [run for run in computed if run.cacheable], failures
-
-
-def _keep(tasks: set[asyncio.Task[None]], work: Coroutine[Any, Any, None]) -> None:
-    """Run it in a task, which the set keeps alive."""
-    task = asyncio.create_task(work)
-    tasks.add(task)
-    task.add_done_callback(tasks.discard)
-
-
-async def _cancel(tasks: set[asyncio.Task[None]]) -> None:
-    cancelled = tuple(tasks)
-    for task in cancelled:
-        task.cancel()
-    await asyncio.gather(*cancelled, return_exceptions=True)

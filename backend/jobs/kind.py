@@ -61,8 +61,7 @@ class JobKind:
         delete_when_done: A job is deleted when all its runs have succeeded: their results are what was asked for.
         step: Takes the next step of a job to its end; the stored state says which it is. Raises JobFailedError where
             the job cannot go on, TemporaryError where it can be tried again.
-        jobs_gauge: Of its jobs by state.
-        runs_gauge: Of their open runs by state.
+        gauges: Of its jobs, and of their open runs, by state.
     """
 
     name: str
@@ -76,5 +75,4 @@ class JobKind:
     keys: RunKeys | None = None
     delete_when_done: bool = False
     step: Callable[[StoredJob], Awaitable[None]] | None = None
-    jobs_gauge: Gauge | None = None
-    runs_gauge: Gauge | None = None
+    gauges: tuple[Gauge, Gauge] | None = None

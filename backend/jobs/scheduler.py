@@ -31,7 +31,7 @@ from backend.jobs.problem import problem_of
 from backend.jobs.retention import Retention
 from backend.settings import Settings
 from backend.store import Store, StoredJob
-from backend.store.job import UNFINISHED, State
+from backend.store.job import State
 from sim_core import __version__ as CORE_VERSION
 from sim_core.errors import RidelabError
 
@@ -60,13 +60,13 @@ class JobTasks:
     """A task for each of some jobs, in the order they were accepted, `MAX_TASKS` at once; what cannot go on fails.
 
     Args:
+        store: The database; its followers are told when a task has ended.
         fail: Stores that a job has failed.
-        task_ended: Is set when one has ended.
     """
 
-    def __init__(self, fail: Callable[[StoredJob, JobFailedError], Awaitable[None]], task_ended: asyncio.Event) -> None:
+    def __init__(self, store: Store, fail: Callable[[StoredJob, JobFailedError], Awaitable[None]]) -> None:
+        self._store = store
         self._fail = fail
-        self._task_ended = task_ended
         self._tasks: dict[str, asyncio.Task[None]] = {}
 
     def begin(self, job: StoredJob, work: Step) -> None:
@@ -92,7 +92,7 @@ class JobTasks:
             await asyncio.sleep(PAUSE_AFTER_FAILURE)
         finally:
             del self._tasks[job.id]
-            self._task_ended.set()
+            self._store.changed(job.id)
 
     async def _run_or_fail(self, job: StoredJob, work: Step) -> None:
         try:
@@ -138,10 +138,9 @@ class Scheduler:
         self._closed = False
         self._executor: Executor | None = None
         self._running_jobs: dict[str, RunningJob] = {}
-        self._work_ended = asyncio.Event()
-        self._chunks = Dispatch(store, workers, settings.run_timeout, self._work_ended)
-        self._planning = JobTasks(self._fail, self._work_ended)
-        self._stepping = JobTasks(self._fail, self._work_ended)
+        self._chunks = Dispatch(store, workers, settings.run_timeout)
+        self._planning = JobTasks(store, self._fail)
+        self._stepping = JobTasks(store, self._fail)
         self._crash_count: Counter[str] = Counter()  # how often planning a job lost its processes
         self._send_counter = itertools.count(1)
         self._reported = -REPORT
@@ -184,7 +183,6 @@ class Scheduler:
         while True:
             await self._leadership.confirm()
             changes.clear()
-            self._work_ended.clear()
             try:
                 await self._look()
                 await self._send_chunks()
@@ -198,16 +196,7 @@ class Scheduler:
                 self._chunks.obstacle = NO_SCHEDULER
                 await self._end_executor()
                 await asyncio.sleep(PAUSE_AFTER_FAILURE)
-            await self._rest(changes)
-
-    async def _rest(self, changes: Follower) -> None:
-        """Wait until a chunk comes back, a job changes, or the next look is due."""
-        waits = [asyncio.create_task(wait) for wait in (changes.wait(JOB_POLL_INTERVAL), self._work_ended.wait())]
-        try:
-            await asyncio.wait(waits, return_when=asyncio.FIRST_COMPLETED)
-        finally:
-            for wait in waits:
-                wait.cancel()
+            await changes.wait(JOB_POLL_INTERVAL)
 
     async def _look(self) -> None:
         """Start jobs that were accepted and end jobs that were cancelled, by this service or another."""
@@ -328,19 +317,16 @@ class Scheduler:
         self._reported = now
         counts = await self._store.read(self._store.jobs.counts)
         for kind, state in itertools.product(self._kinds.values(), STATES):
-            jobs, runs = counts.get((kind.name, state), (0, 0))
-            if kind.jobs_gauge is not None:
-                kind.jobs_gauge.labels(state=state).set(jobs)
-            if kind.runs_gauge is not None and state in UNFINISHED:
-                kind.runs_gauge.labels(state=state).set(runs)
+            if kind.gauges is not None:
+                for gauge, count in zip(kind.gauges, counts.get((kind.name, state), (0, 0)), strict=True):
+                    gauge.labels(state=state).set(count)
 
     async def _leave(self) -> None:
         """End everything except chunks that wait to be stored; the next leader reports the metrics."""
         self._retention.cancel()
         for kind in self._kinds.values():
-            for gauge in (kind.jobs_gauge, kind.runs_gauge):
-                if gauge is not None:
-                    gauge.clear()
+            for gauge in kind.gauges or ():
+                gauge.clear()
         self._reported = -REPORT
         self._planning.cancel()
         self._stepping.cancel()
@@ -348,7 +334,7 @@ class Scheduler:
 
     async def _end_executor(self) -> None:
         self._running_jobs.clear()
-        await self._chunks.stop_computing()
+        await self._chunks.close(committing=False)
         if self._executor is not None:
             executor, self._executor = self._executor, None
             await executor.close()

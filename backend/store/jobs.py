@@ -141,8 +141,8 @@ class JobStore(RowStore):
         return [_job(row) for row in rows]
 
     def counts(self) -> dict[tuple[str, State], tuple[int, int]]:
-        """Count jobs and their open runs, by kind and state."""
-        open_runs = func.sum(jobs.c.total - jobs.c.done - jobs.c.failed)
+        """Count jobs and their open runs, by kind and state; those that have ended have none."""
+        open_runs = func.sum(case((jobs.c.state.in_(UNFINISHED), jobs.c.total - jobs.c.done - jobs.c.failed), else_=0))
         query = select(jobs.c.kind, jobs.c.state, func.count(), open_runs).group_by(jobs.c.kind, jobs.c.state)
         with self._database.reading() as connection:
             return {
