@@ -14,7 +14,7 @@ from backend.store.job import State
 from backend.store.trials import StoredTrial
 from backend.tunings import front
 from backend.tunings.comparison_models import TunedValue, TuningComparison
-from backend.tunings.measure import Aims
+from backend.tunings.objectives import Limit, Objective
 from backend.tunings.space import has_own_weights
 
 
@@ -93,20 +93,22 @@ class TuningItem(Answer):
     id: str
     state: State
     reason: str | None = Field(description="Why it failed, or does not advance")
-    problem: JobProblem | None = Field(description="Where planning it failed: what a dry run would have answered")
+    problem: JobProblem | None = Field(None, description="Where planning it failed: what a dry run would have answered")
     step: Literal["search", "comparison"] = Field(description="What it does, or did last")
     label: str | None
     position: int = Field(description="Runs waiting before it: 0, its batches have positions of their own")
     strategy: str
-    source: Source | None = Field(description="What the law is; null for Ridelab's own")
+    source: Source | None = Field(None, description="What the controller is; null for Ridelab's own")
     objectives: list[ObjectiveAnswer]
     limits: list[LimitAnswer]
     search: dict[str, list[float]]
-    previews: list[str] | None = Field(description="Kinds of preview searched; null where only the scenario's is used")
+    previews: list[str] | None = Field(
+        None, description="Kinds of preview searched; null where only the scenario's is used"
+    )
     seeds: list[int]
     fresh_seeds: list[int]
-    uncertain: bool
-    quantile: float | None = Field(description="Of the objectives over the roads; null for their means")
+    uncertain: bool = False
+    quantile: float | None = Field(None, description="Of the objectives over the roads; null for their means")
     population: int
     seed: int
     trials: TrialCounts
@@ -125,25 +127,18 @@ class TuningItem(Answer):
 
     @staticmethod
     def _fields(job: StoredJob) -> dict[str, Any]:
-        request, progress, aims = job.request, job.progress, Aims.of(job.request)
-        times = ("created_at", "started_at", "finished_at")
-        same = ("id", "state", "reason", "label", "core_version", *times)
-        of_request = ("strategy", "search", "seeds", "fresh_seeds", "population", "seed")
+        names = ("id", "state", "reason", "label", "core_version", "created_at", "started_at", "finished_at")
+        trials = TrialCounts(total=job.total, done=job.done, failed=job.failed, feasible=job.progress["feasible"])
         return {
-            **{name: getattr(job, name) for name in same},
-            **{name: request[name] for name in of_request},
-            **{name: request.get(name) for name in ("previews", "source")},
-            "uncertain": request.get("uncertain", False),
-            "quantile": aims.quantile,
+            **job.request,
+            **job.progress,
+            **{name: getattr(job, name) for name in names},
             "position": 0,
-            "problem": progress.get("problem"),
             "estimated_cost": job.estimated_cost if job.is_planned else None,
-            "step": progress["step"],
-            "generation": progress["generation"],
-            "batch": progress["batch"],
-            "objectives": [ObjectiveAnswer.model_validate(each) for each in aims.objectives],
-            "limits": [LimitAnswer.model_validate(each) for each in aims.limits],
-            "trials": TrialCounts(total=job.total, done=job.done, failed=job.failed, feasible=progress["feasible"]),
+            "objectives": [Objective.model_validate(each) for each in job.request["objectives"]],
+            "limits": [Limit.model_validate(each) for each in job.request["limits"]],
+            "trials": trials,
+            "scenario": job.scenario,
         }
 
 
@@ -169,7 +164,6 @@ class Tuning(TuningItem):
         members = front.front(trials)
         return cls(
             **cls._fields(job),
-            scenario=job.scenario,
             paper=trials[0] if trials else None,
             own=trials[1] if has_own_weights(request, trials) else None,
             best=[front.best(trials, index) for index in range(len(request["objectives"]))],

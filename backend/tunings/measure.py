@@ -10,7 +10,7 @@ import orjson
 from backend.job_run import JobRow
 from backend.json_types import JsonObject, Summary
 from backend.store.trials import StoredTrial
-from backend.tunings.objectives import StoredLimit, StoredObjective
+from backend.tunings.objectives import Limit, Objective
 from backend.tunings.space import Weights
 from sim_core.catalogue import METRICS, PAPER_METRICS, Metric
 
@@ -31,16 +31,16 @@ RunsByRoad = dict[int, Measured | Failure]  # the runs of a set of weights by ro
 class Aims:
     """What a tuning is after."""
 
-    objectives: Sequence[StoredObjective]
-    limits: Sequence[StoredLimit]
+    objectives: Sequence[Objective]
+    limits: Sequence[Limit]
     quantile: float | None = None  # of an objective over the roads; None for its mean
 
     @classmethod
     def of(cls, request: JsonObject) -> Self:
         """Parse from a stored request."""
         return cls(
-            objectives=[StoredObjective(**each) for each in request["objectives"]],
-            limits=[StoredLimit(**each) for each in request["limits"]],
+            objectives=[Objective.model_validate(each) for each in request["objectives"]],
+            limits=[Limit.model_validate(each) for each in request["limits"]],
             quantile=request.get("quantile"),
         )
 

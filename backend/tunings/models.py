@@ -1,7 +1,7 @@
 """The shapes of tuning requests."""
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Self
 
 from pydantic import (
     AfterValidator,
@@ -17,8 +17,8 @@ from pydantic_core import PydanticCustomError
 from backend import custom_controllers
 from backend.jobs.models import Label
 from backend.json_types import JsonObject
-from backend.models import MetricName, RequestModel, SentScenario, inconsistent
-from backend.tunings.objectives import NORMALISED
+from backend.models import RequestModel, SentScenario, inconsistent
+from backend.tunings.objectives import Limit, Objective
 from backend.tunings.space import (
     OURS,
     default_search,
@@ -28,7 +28,6 @@ from backend.tunings.space import (
 )
 from backend.unknown_names import unknown_name
 from sim_core import Preview, RidelabError
-from sim_core.catalogue import WINDOWS
 from sim_core.check_controller import ID
 from sim_core.scenario import Scenario, dotted
 
@@ -72,50 +71,10 @@ def _check_names(search: Any, info: ValidationInfo) -> Any:
 
 
 WEIGHTS = list(dict.fromkeys(name for strategy in OURS for name in searchable(strategy)))
-Coefficient = Annotated[float, Field(ge=0, le=1000)]
 End = Annotated[float, Field(ge=-1e12, le=1e12)]
 Range = Annotated[tuple[End, End], Field(strict=False), AfterValidator(_increasing)]
 Seed = Annotated[int, Field(ge=0, le=2**32 - 1)]
 Seeds = Annotated[list[Seed], AfterValidator(_each_once)]
-
-
-class Objective(RequestModel):
-    """What to make small, as its mean, or a quantile, over the training roads.
-
-    `paper` is Eq. 16: q1 (a/a_p)² + q2 (r/r_p)² + q3 (F/F_p)² of the RMS of body and pitch acceleration and tyre load
-    (both tyres) over the passive car's on the same road; `peaks` the same with peaks; `figure` one figure of a run.
-    """
-
-    kind: Literal["paper", "peaks", "figure"]
-    q: Annotated[tuple[Coefficient, Coefficient, Coefficient], Field(strict=False)] = Field(
-        (1, 1, 1), description="Of paper and peaks: q1 body acceleration, q2 pitch acceleration, q3 tyre load"
-    )
-    window: Literal[tuple(WINDOWS)] | None = Field(  # type: ignore[valid-type]  # from the core
-        None, description="Of paper (without one whole) and peaks (bump)", json_schema_extra={"enum": [*WINDOWS, None]}
-    )
-    figure: MetricName | None = Field(None, description="Of figure: a name of a batch's columns")
-
-    @model_validator(mode="after")
-    def _fits_its_kind(self) -> Self:
-        if (self.figure is not None) != (self.kind == "figure"):
-            raise inconsistent("figure", "A figure is named with the kind figure, and only there")
-        if self.kind == "figure" and (self.window is not None or self.q != (1, 1, 1)):
-            raise inconsistent("q" if self.window is None else "window", "Only the kinds paper and peaks take this")
-        if not any(self.q):
-            raise inconsistent("q", "At least one coefficient must be greater than 0")
-        return self
-
-    def stored(self) -> JsonObject:
-        """Written out, as it is kept; a figure is as it is and its `q` is not used."""
-        window = None if self.figure is not None else self.window or NORMALISED[self.kind][2]
-        return {"kind": self.kind, "q": list(self.q), "window": window, "figure": self.figure}
-
-
-class Limit(RequestModel):
-    """A figure that may not be exceeded on any training road."""
-
-    figure: MetricName
-    at_most: float = Field(ge=-1e12, le=1e12)
 
 
 class TuningRequest(RequestModel):

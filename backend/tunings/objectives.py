@@ -1,10 +1,11 @@
 """What a run is worth: objectives and limits from the metrics of runs, road by road."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated, Literal, Self
 
-from backend.json_types import Summary
+from pydantic import Field, model_validator
+
+from backend.json_types import JsonObject, Summary
+from backend.models import MetricName, RequestModel, inconsistent
 from sim_core.catalogue import BUMP, METRICS, PAPER_SIGNALS, PEAK, RMS, SIGNALS, WHOLE, WINDOWS
 
 # Kinds that are shares of the passive car's values: what to call each, its statistic, its window where none is named.
@@ -17,21 +18,39 @@ class UndefinedObjectiveError(Exception):
     """An objective has no value; the message says why."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class StoredObjective:
-    """What is minimised, written out.
+Coefficient = Annotated[float, Field(ge=0, le=1000)]
 
-    Attributes:
-        kind: Eq. 16 of RMS values, of peaks, or one metric.
-        q: Coefficients of Eq. 16's terms.
-        window: Of Eq. 16; None of a metric.
-        figure: The metric's key; None of Eq. 16.
+
+class Objective(RequestModel):
+    """What to make small, as its mean, or a quantile, over the training roads.
+
+    `paper` is Eq. 16: q1 (a/a_p)² + q2 (r/r_p)² + q3 (F/F_p)² of the RMS of body and pitch acceleration and tyre load
+    (both tyres) over the passive car's on the same road; `peaks` the same with peaks; `figure` one figure of a run.
     """
 
     kind: Literal["paper", "peaks", "figure"]
-    q: Sequence[float]
-    window: str | None
-    figure: str | None
+    q: Annotated[tuple[Coefficient, Coefficient, Coefficient], Field(strict=False)] = Field(
+        (1, 1, 1), description="Of paper and peaks: q1 body acceleration, q2 pitch acceleration, q3 tyre load"
+    )
+    window: Literal[tuple(WINDOWS)] | None = Field(  # type: ignore[valid-type]  # from the core
+        None, description="Of paper (without one whole) and peaks (bump)", json_schema_extra={"enum": [*WINDOWS, None]}
+    )
+    figure: MetricName | None = Field(None, description="Of figure: a name of a batch's columns")
+
+    @model_validator(mode="after")
+    def _fits_its_kind(self) -> Self:
+        if (self.figure is not None) != (self.kind == "figure"):
+            raise inconsistent("figure", "A figure is named with the kind figure, and only there")
+        if self.kind == "figure" and (self.window is not None or self.q != (1, 1, 1)):
+            raise inconsistent("q" if self.window is None else "window", "Only the kinds paper and peaks take this")
+        if not any(self.q):
+            raise inconsistent("q", "At least one coefficient must be greater than 0")
+        return self
+
+    def stored(self) -> JsonObject:
+        """Return it written out, as it is kept; of a metric `q` is not used."""
+        window = None if self.figure is not None else self.window or NORMALISED[self.kind][2]
+        return {"kind": self.kind, "q": list(self.q), "window": window, "figure": self.figure}
 
     @property
     def normalised(self) -> bool:
@@ -43,7 +62,7 @@ class StoredObjective:
         """Return what to call it."""
         if self.figure is not None:
             return METRICS[self.figure].label
-        q = "" if tuple(self.q) == (1, 1, 1) else f", q = {', '.join(f'{each:g}' for each in self.q)}"
+        q = "" if {*self.q} == {1} else f", q = {', '.join(f'{each:g}' for each in self.q)}"
         return f"{NORMALISED[self.kind][0]}, {WINDOWS[self.window or WHOLE].label.lower()}{q}"
 
     @property
@@ -81,12 +100,11 @@ class StoredObjective:
         return total
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class StoredLimit:
-    """What one metric (its key) may be at most, in its SI unit."""
+class Limit(RequestModel):
+    """A figure that may not be exceeded on any training road."""
 
-    figure: str
-    at_most: float
+    figure: MetricName
+    at_most: float = Field(ge=-1e12, le=1e12)
 
     @property
     def label(self) -> str:

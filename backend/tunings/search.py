@@ -6,7 +6,6 @@ generation's number: the same trials lead to the same next ones, whoever asks an
 
 import logging
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
 from types import ModuleType
@@ -16,40 +15,22 @@ import numpy as np
 
 from backend.json_types import JsonObject
 from backend.store.trials import StoredTrial
-from backend.tunings.space import Point, Ranges, point_of
+from backend.tunings.space import Point, point_of, ranges_of
 from sim_core.scenario import dotted
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Search:
-    """The space and the aims of a search.
-
-    Attributes:
-        ranges: Field -> lowest and highest value, or the choices.
-        scenario: Plain; what is not searched has its values.
-        objectives: How many there are.
-        limits: What each limited figure may be at most.
-        seed: Same seed, same points.
-    """
-
-    ranges: Ranges
-    scenario: JsonObject
-    objectives: int
-    limits: Sequence[float]
-    seed: int
-
-
-def ask(search: Search, trials: Sequence[StoredTrial], *, generation: int, count: int) -> list[Point]:
-    """The generation's points, from the trials of earlier generations."""
-    optuna = _optuna()
-    space = {name: _distribution(optuna.distributions, name, ends) for name, ends in search.ranges.items()}
-    state = np.random.SeedSequence([search.seed, generation]).generate_state(1)
+def ask(request: JsonObject, trials: Sequence[StoredTrial], *, generation: int, count: int) -> list[Point]:
+    """Return so many points of a tuning's generation, by its stored request and the trials of earlier generations."""
+    optuna, ranges = _optuna(), ranges_of(request)
+    space = {name: _distribution(optuna.distributions, name, ends) for name, ends in ranges.items()}
+    state = np.random.SeedSequence([request["seed"], generation]).generate_state(1)
     sampler = optuna.samplers.TPESampler(seed=int(state[0]))  # docs/decisions/0009-tuning-by-generations.md
-    study = optuna.create_study(directions=["minimize"] * search.objectives, sampler=sampler)
+    study = optuna.create_study(directions=["minimize"] * len(request["objectives"]), sampler=sampler)
+    limits = [limit["at_most"] for limit in request["limits"]]
     for trial in trials:
-        point = point_of(trial.weights, search.ranges, search.scenario)
+        point = point_of(trial.weights, ranges, request["scenario"])
         if point is not None:
-            study.add_trial(_frozen_trial(optuna, trial, point, space, search.limits))
+            study.add_trial(_frozen_trial(optuna, trial, point, space, limits))
     return [dict(study.ask(space).params) for _ in range(count)]
 
 

@@ -121,7 +121,7 @@ class TuningSteps:
         seeds, generation = job.request["seeds"], job.progress["generation"]
         sweep = await self._existing(job, str(generation))
         if sweep is None:
-            sets = await self._next_weights(job, trials, aims)
+            sets = await self._next_weights(job, trials)
             sweep = await self._submit(job, str(generation), job.request["strategy"], sets, seeds)
         measured = await self._measured(job, "search", sweep, aims, seeds)
         if measured is None:
@@ -144,22 +144,15 @@ class TuningSteps:
             failed=job.failed + len(new) - succeeded,
         )
 
-    async def _next_weights(self, job: StoredJob, trials: list[StoredTrial], aims: Aims) -> list[Weights]:
+    async def _next_weights(self, job: StoredJob, trials: list[StoredTrial]) -> list[Weights]:
         """The generation's sets of weights: first the paper's and the scenario's own, then what Optuna proposes."""
-        from backend.tunings.search import Search, ask  # Optuna and all: not before there is a tuning
+        from backend.tunings.search import ask  # Optuna and all: not before there is a tuning
 
         request = job.request
         scenario, strategy, ranges = request["scenario"], request["strategy"], ranges_of(request)
         count = min(request["population"], job.total - len(trials))
         first = first_weights(scenario, strategy, ranges)[len(trials) : len(trials) + count]
-        search = Search(
-            ranges=ranges,
-            scenario=scenario,
-            objectives=len(aims.objectives),
-            limits=aims.most,
-            seed=request["seed"],
-        )
-        proposing = partial(ask, search, trials, generation=job.progress["generation"], count=count - len(first))
+        proposing = partial(ask, request, trials, generation=job.progress["generation"], count=count - len(first))
         points = await asyncio.get_running_loop().run_in_executor(self._asking, proposing)
         present = weights_at(scenario, strategy, ranges)
         return [*first, *(weights_of(point, ranges, present) for point in points)]

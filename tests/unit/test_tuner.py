@@ -17,12 +17,12 @@ from backend.store.trials import StoredTrial
 from backend.tunings import comparison, front, space
 from backend.tunings.measure import Aims, Failure
 from backend.tunings.models import TuningRequest
-from backend.tunings.objectives import StoredLimit, StoredObjective, UndefinedObjectiveError
-from backend.tunings.search import Search, ask
+from backend.tunings.objectives import Limit, Objective, UndefinedObjectiveError
+from backend.tunings.search import ask
 from sim_core.scenario import Scenario, dotted
 from tests.there import there
 
-AIMS = Aims(objectives=[StoredObjective(kind="figure", q=[1, 1, 1], window=None, figure="travel_time")], limits=[])
+AIMS = Aims(objectives=[Objective(kind="figure", figure="travel_time")], limits=[])
 PAPER = Scenario().model_dump(mode="json")
 SIGNALS = ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_tyre_load")
 
@@ -39,25 +39,25 @@ def summary(rms: tuple[float, ...], peak: tuple[float, ...] = (1, 1, 1, 1)) -> d
 
 def test_eq_16_by_hand() -> None:
     ours, passive = summary((1, 2, 30, 40), (5, 6, 7, 8)), summary((2, 8, 60, 80), (10, 12, 14, 16))
-    paper = StoredObjective(kind="paper", q=[1, 2, 4], window="whole", figure=None)
+    paper = Objective(kind="paper", q=(1, 2, 4), window="whole")
     # (1/2)² + 2 (2/8)² + 4 (30² + 40²)/(60² + 80²)
     assert paper.value(ours, passive) == pytest.approx(0.25 + 2 / 16 + 4 / 4, rel=1e-15)
-    assert replace(paper, kind="peaks").value(ours, passive) == pytest.approx(7 / 4, rel=1e-15)
-    assert replace(paper, q=[1, 1, 1]).value(passive, passive) == 3, "the passive car itself"
-    airborne = StoredObjective(kind="figure", q=[1, 1, 1], window=None, figure="events.airborne_ms")
+    assert paper.model_copy(update={"kind": "peaks"}).value(ours, passive) == pytest.approx(7 / 4, rel=1e-15)
+    assert paper.model_copy(update={"q": (1, 1, 1)}).value(passive, passive) == 3, "the passive car itself"
+    airborne = Objective(kind="figure", figure="events.airborne_ms")
     assert airborne.value(ours, {}) == 7
 
 
 def test_a_share_of_nothing_is_refused_where_it_counts() -> None:
     still = summary((0, 1, 1, 1))
-    paper = StoredObjective(kind="paper", q=[1, 1, 1], window="rough_road", figure=None)
+    paper = Objective(kind="paper", window="rough_road")
     with pytest.raises(UndefinedObjectiveError, match="body acceleration is zero"):
         paper.value(summary((1, 1, 1, 1)), still)
-    assert replace(paper, q=[0, 1, 1]).value(summary((1, 1, 1, 1)), still) == 2
+    assert paper.model_copy(update={"q": (0, 1, 1)}).value(summary((1, 1, 1, 1)), still) == 2
 
 
 def test_a_trial_is_the_mean_of_its_objectives_and_the_worst_of_its_limits() -> None:
-    aims = replace(AIMS, limits=[StoredLimit(figure="events.airborne_ms", at_most=8)])
+    aims = replace(AIMS, limits=[Limit(figure="events.airborne_ms", at_most=8)])
 
     def row(position: int, travel_time: float, airborne: float) -> JobRow:
         summarised = {**summary((1, 1, 1, 1)), "travel_time": travel_time, "events": {"airborne_ms": airborne}}
@@ -155,8 +155,7 @@ def test_preview_horizon_and_times_are_searched_as_what_they_are() -> None:
     papers = space.paper_weights("lv", ranges)
     assert (papers["mpc.preview"], papers["mpc.prediction_horizon"]) == ("lookahead", 30)
     trials = [trial(0, 1.0, weights=papers)]
-    search = Search(ranges=ranges, scenario=PAPER, objectives=1, limits=[], seed=1)
-    points = ask(search, trials, generation=0, count=12)
+    points = ask(request, trials, generation=0, count=12)
     tried = [space.weights_of(point, ranges, papers) for point in points]
     assert {each["mpc.preview"] for each in tried} == {"obstacle", "lookahead"}
     assert all(isinstance(each["mpc.prediction_horizon"], int) for each in tried)
@@ -176,7 +175,7 @@ def test_a_quantile_over_the_roads_is_what_is_minimised() -> None:
     assert compared[0].training["objectives.0"].quantile == 10.0
 
 
-def searched(count: int) -> tuple[Search, list[StoredTrial]]:
+def searched(count: int) -> tuple[dict[str, Any], list[StoredTrial]]:
     """The log of each weight has its best at 1; a trial beyond 4 of the first is not allowed."""
     search = space.default_search("lqr")
     own = space.paper_weights("lqr", search)
@@ -190,16 +189,17 @@ def searched(count: int) -> tuple[Search, list[StoredTrial]]:
         over = point["lqr.weights.0"]
         weights = space.weights_of(point, search, own)
         trials.append(trial(number, value, feasible=over <= 4, weights=weights, limits=[over]))
-    return Search(ranges=search, scenario=PAPER, objectives=1, limits=[4.0], seed=7), trials
+    limited = [Limit(figure="travel_time", at_most=4)]
+    return TuningRequest(strategy="lqr", limits=limited, seed=7).stored(), trials
 
 
 def test_the_same_trials_lead_to_the_same_next_ones() -> None:
-    search, trials = searched(40)
-    asked_trials = ask(search, trials, generation=3, count=8)
-    assert asked_trials == ask(search, trials, generation=3, count=8)
-    assert asked_trials != ask(search, trials, generation=4, count=8)
-    assert asked_trials != ask(search, trials[:20], generation=3, count=8)
-    assert asked_trials[:4] == ask(search, trials, generation=3, count=4)
+    request, trials = searched(40)
+    asked_trials = ask(request, trials, generation=3, count=8)
+    assert asked_trials == ask(request, trials, generation=3, count=8)
+    assert asked_trials != ask(request, trials, generation=4, count=8)
+    assert asked_trials != ask(request, trials[:20], generation=3, count=8)
+    assert asked_trials[:4] == ask(request, trials, generation=3, count=4)
 
 
 def roads(values: dict[int, float]) -> dict[int, Any]:
