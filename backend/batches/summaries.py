@@ -22,13 +22,12 @@ from backend.compute.shared_computations import SharedComputations
 from backend.errors import InvalidError
 from backend.gate import Gate
 from backend.job_run import JobRow
-from backend.json_types import JsonObject, Summary
+from backend.json_types import JsonObject
 from backend.roads.service import MeasuredRoads
 from backend.scenario_at import scenario_at
 from backend.store import StoredJob
 from backend.store.job import FINAL
 from sim_core import __version__ as CORE_VERSION
-from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRICS
 from sim_core.scenario.measured import MeasuredRoad
 
@@ -47,24 +46,29 @@ async def summarised(
 
     `roads` are the measured ones that the batch names.
     """
-    gathered = _Gathered(batch, figures)
+    names, fields = batch.request["strategies"], batch.request["fields"]
+    gathered = _Gathered(names, batch.total // len(names), figures)
     async for rows in pages:
         await asyncio.to_thread(gathered.add, rows)
-    origin = (batch.request["scenario"], batch.schema_version)
-    ran, names = gathered.ran(), gathered.unchanged()
-    damping = np.full((len(gathered.changes), len(batch.request["strategies"])), np.nan)
-    columns = [batch.request["strategies"].index(name) for name in names]
+    origin, study = (batch.request["scenario"], batch.schema_version), gathered.study
+    ok = study.status == "ok"
+    ran, judged = np.flatnonzero(ok.any(axis=1)).tolist(), gathered.unchanged()
+    columns = [names.index(name) for name in judged]
     for first in range(0, len(ran), POINTS_A_CALL):
         some = ran[first : first + POINTS_A_CALL]
         texts = [gathered.changes[point] for point in some]
-        damping[np.ix_(some, columns)] = await call(summary.dampings, *origin, texts, names)
-    summaries, nominal_damping, may_pass = await call(summary.nominal, *origin, names, roads)
-    study = gathered.study(damping, summaries, nominal_damping)
+        study.damping[np.ix_(some, columns)] = await call(summary.dampings, *origin, texts, judged)
+    study.damping[~ok] = np.nan
+    summaries, study.nominal_damping, may_pass = await call(summary.nominal, *origin, judged, roads)
+    study.nominal = {name: {key: METRICS[key].of(each) for key in figures} for name, each in summaries.items()}
+    changes, scenario = [orjson.loads(text) for text in gathered.changes], scenario_at(origin[0], {}, origin[1])
+    study.fields = {name: [change.get(name) for change in changes] for name in fields}
+    study.read = {name: robustness.fields_read(name, fields, scenario) for name in names}
     answer = BatchSummary(
         batch=batch.id,
         state=batch.state,
         core_version=CORE_VERSION,
-        points=batch.total // len(batch.request["strategies"]),
+        points=len(study.status),
         baseline=baseline,
         quantiles=summary.QUANTILES,
         units={key: METRICS[key].unit for key in figures},
@@ -76,65 +80,37 @@ async def summarised(
 class _Gathered:
     """A batch's rows, taken in page by page; a point's strategies lie side by side."""
 
-    def __init__(self, batch: StoredJob, figures: Sequence[str]) -> None:
-        self._batch = batch
-        self._figures = figures
-        shape = (batch.total // len(batch.request["strategies"]), len(batch.request["strategies"]))
-        self._values: dict[str, FloatArray] = {key: np.full(shape, np.nan) for key in figures}
-        self._status = np.full(shape, "waiting", dtype="U9")
-        self._reasons: dict[str, Counter[str]] = {name: Counter() for name in batch.request["strategies"]}
-        self._sources: dict[str, JsonObject | None] = {}
+    def __init__(self, names: Sequence[str], points: int, figures: Sequence[str]) -> None:
+        shape = points, len(names)
+        self.study = summary.Study(
+            strategies=names,
+            status=np.full(shape, "waiting", dtype="U9"),
+            reasons={name: Counter() for name in names},
+            figures={key: np.full(shape, np.nan) for key in figures},
+            damping=np.full(shape, np.nan),
+        )
         self.changes: list[str] = []
+        self._sources: dict[str, JsonObject | None] = {}
 
     def add(self, rows: Sequence[JobRow]) -> None:
         """Take a page in."""
         for row in rows:
-            point, index = divmod(row.position, len(self._batch.request["strategies"]))
-            self._status[point, index] = row.status
+            point, index = divmod(row.position, len(self.study.strategies))
+            self.study.status[point, index] = row.status
             if not index:
                 self.changes.append(row.changes)
             result = orjson.loads(row.summary) if row.summary is not None else {}
             if row.status == "failed":
-                self._reasons[row.strategy][row.reason or result.get("reason") or "unknown"] += 1
+                self.study.reasons[row.strategy][row.reason or result.get("reason") or "unknown"] += 1
             if row.status == "ok":
                 self._sources[row.strategy] = result.get("source")
-                for key in self._figures:
+                for key, values in self.study.figures.items():
                     value = METRICS[key].of(result)
-                    self._values[key][point, index] = np.nan if value is None else value
-
-    def ran(self) -> list[int]:
-        """The points at which some strategy has succeeded."""
-        result: list[int] = np.flatnonzero((self._status == "ok").any(axis=1)).tolist()
-        return result
+                    values[point, index] = np.nan if value is None else value
 
     def unchanged(self) -> list[str]:
-        """The strategies whose law is the one that was driven, not that of a file that was saved since."""
-        names = self._batch.request["strategies"]
-        return [name for name in names if self._sources.get(name) == custom_controllers.source(name)]
-
-    def study(
-        self,
-        damping: FloatArray,
-        summaries: Mapping[str, Summary],
-        nominal_damping: Mapping[str, float | None],
-    ) -> summary.Study:
-        """The study of all rows, with the damping and the nominal values that workers computed."""
-        changes = [orjson.loads(text) for text in self.changes]
-        scenario = scenario_at(self._batch.request["scenario"], {}, self._batch.schema_version)
-        names, fields = self._batch.request["strategies"], self._batch.request["fields"]
-        return summary.Study(
-            strategies=names,
-            status=self._status,
-            reasons=self._reasons,
-            figures=self._values,
-            fields={name: [change.get(name) for change in changes] for name in fields},
-            read={name: robustness.fields_read(name, fields, scenario) for name in names},
-            damping=np.where(self._status == "ok", damping, np.nan),
-            nominal={
-                name: {key: METRICS[key].of(result) for key in self._figures} for name, result in summaries.items()
-            },
-            nominal_damping=nominal_damping,
-        )
+        """Return the strategies whose controller is the one that was driven, not that of a file saved since."""
+        return [name for name in self.study.strategies if self._sources.get(name) == custom_controllers.source(name)]
 
 
 CACHED = 16  # a page that is opened again asks for the same

@@ -6,7 +6,7 @@ Runs in a worker: no web here. Everything is read from the batch's own rows; not
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -42,31 +42,31 @@ NOT_FED_BACK = ("mismatch.preview_", "road.", "actuator.saturation", "actuator.r
 Numbers = dict[str, FloatArray]  # swept field -> its value at each point
 
 
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+@dataclass(slots=True, eq=False, kw_only=True)
 class Study:
-    """A batch's rows by point and strategy.
+    """A batch's rows by point and strategy; what follows the damping is added once every row is there.
 
     Attributes:
         strategies: Their ids, in the order of the columns below.
         status: (points, strategies) of each run.
         reasons: Why runs failed, with how many.
         figures: Key -> values (points, strategies); NaN where a run has none.
+        damping: Least damping ratio of each loop (points, strategies); NaN where there is none.
         fields: Swept field -> its value at each point.
         read: Strategy -> the swept fields that can change its result.
-        damping: Least damping ratio of each loop (points, strategies); NaN where there is none.
         nominal: Strategy -> figure -> value of the batch's own scenario.
         nominal_damping: Strategy -> least damping of the batch's own scenario.
     """
 
     strategies: Sequence[str]
     status: NDArray[np.str_]
-    reasons: Mapping[str, Mapping[str, int]]
-    figures: Mapping[str, FloatArray]
-    fields: Mapping[str, Sequence[Any]]
-    read: Mapping[str, Sequence[str]]
+    reasons: dict[str, Counter[str]]
+    figures: dict[str, FloatArray]
     damping: FloatArray
-    nominal: Mapping[str, Mapping[str, float | None]]
-    nominal_damping: Mapping[str, float | None]
+    fields: Mapping[str, Sequence[Any]] = field(default_factory=dict)
+    read: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    nominal: Mapping[str, Mapping[str, float | None]] = field(default_factory=dict)
+    nominal_damping: Mapping[str, float | None] = field(default_factory=dict)
 
 
 def dampings(base: JsonObject, schema_version: int, changes: Sequence[str], strategies: Sequence[str]) -> FloatArray:
