@@ -105,6 +105,21 @@ class InvalidError(ServiceError):
     kind = "invalid-request"
 
 
+class UnsureError(InvalidError):
+    """A file that has to be asked about before it can be read.
+
+    Args:
+        message: The questions.
+        table: What was understood of it, with the questions.
+    """
+
+    kind = "table-unsure"
+
+    def __init__(self, message: str, table: Mapping[str, object]) -> None:
+        super().__init__(message, pointer="")
+        self.table = table
+
+
 class CostLimitError(ServiceError):
     """The estimated cost or the number of runs is over a limit."""
 

@@ -36,6 +36,7 @@ from backend.runs.service import Runs
 from backend.runs.solve.service import Solver
 from backend.settings import Settings
 from backend.store import Store
+from backend.tables import Tables
 from backend.tunings.service import TuningService
 from backend.tunings.steps import TUNING, TuningSteps
 
@@ -59,6 +60,7 @@ class Services:
     batch_workers: Workers
     metrics: CollectorRegistry
     spool: Spool
+    tables: Tables
     roads: MeasuredRoads
     recordings: Recordings
     runs: Runs
@@ -104,8 +106,9 @@ def make_services(settings: Settings, workers: Workers) -> Services:
     count = settings.batch_workers if settings.dask_scheduler is None else 1
     batch_workers = Workers(count, timeout=settings.run_timeout, warm_up=WARM_UP, nice=BATCH_NICE)
     spool = Spool(settings.data_dir / "spool", Budget("the space for long answers", settings.spool_bytes))
-    roads = MeasuredRoads(store=store, workers=workers, gate=gate)
-    recordings = Recordings(store=store, workers=workers, gate=gate)
+    tables = Tables(workers=workers, gate=gate)
+    roads = MeasuredRoads(store=store, workers=workers, gate=gate, tables=tables)
+    recordings = Recordings(store=store, workers=workers, gate=gate, tables=tables)
     memory = LRUCache[str, Outcome](settings.series_cache_bytes, getsizeof=attrgetter("size"))
     results = Results(store=store, workers=workers, memory=memory, gate=gate, roads=roads, recordings=recordings)
     runs = Runs(store=store, results=results, gate=gate, roads=roads, recordings=recordings)
@@ -135,6 +138,7 @@ def make_services(settings: Settings, workers: Workers) -> Services:
         batch_workers=batch_workers,
         metrics=service_registry(workers, gate),
         spool=spool,
+        tables=tables,
         roads=roads,
         recordings=recordings,
         runs=runs,

@@ -40,6 +40,8 @@ from sim_core.comparison.compare import Comparison, compare
 from sim_core.comparison.verdict import Verdict
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
+from sim_core.tables.errors import TableError, UnsureTableError
+from sim_core.tables.table import Table, read_table
 
 __all__ = [
     "STRATEGIES",
@@ -77,6 +79,9 @@ __all__ = [
     "SpeedPlan",
     "StageWeights",
     "StrategyResult",
+    "Table",
+    "TableError",
+    "UnsureTableError",
     "Vehicle",
     "Verdict",
     "Weights",
@@ -87,6 +92,7 @@ __all__ = [
     "feedforward",
     "load_controllers",
     "option",
+    "read_table",
     "regulator",
     "scenario_field",
     "simulate",

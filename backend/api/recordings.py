@@ -7,11 +7,14 @@ from fastapi import Path, Query, Response
 
 from backend.api.lists import DEFAULT_LIMIT, Cursor, Limit, Owner
 from backend.api.routing import API, LONGEST_CSV, ApiRequest, router
+from backend.api.tables import DRY_RUN, DryRun, TableParameter, described
 from backend.errors import InvalidError
 from backend.http import problems
 from backend.http.answers import revalidated
 from backend.http.openapi import BYTES
 from backend.recordings.models import CreatedRecording, RecordingAnswer, RecordingPage
+from backend.tables import parse_table
+from sim_core.tables.titles import unit_in
 
 reading = router("recordings", 408, 413, 415, 422, 429, 503, files={"text/csv": LONGEST_CSV})
 recordings = router("recordings", 404, 429, 503, computes=True)
@@ -32,17 +35,31 @@ ColumnMapping = Annotated[
 
 
 @reading.post(
-    "/recordings", operation_id="createRecording", status_code=201, response_model=CreatedRecording, openapi_extra=BODY
+    "/recordings",
+    operation_id="createRecording",
+    status_code=201,
+    response_model=CreatedRecording,
+    responses=DRY_RUN,
+    openapi_extra=BODY,
 )
 async def create_recording(
     request: ApiRequest,
     response: Response,
     columns: ColumnMapping = None,
-) -> CreatedRecording:
-    """Store a recorded drive: time or distance and signals of the catalogue, each column's unit in its name."""
-    created = await request.services.recordings.create(
-        await request.body(), _mapping(columns), request.client_id, request.token
-    )
+    table: TableParameter = None,
+    dry_run: DryRun = False,
+) -> CreatedRecording | Response:
+    """Store a recorded drive: a table of time or distance and signals of the catalogue.
+
+    What its columns mean is found, or asked by a 422 `table-unsure`; `dry_run` answers how it would be read.
+    """
+    corrections = parse_table(table) or {}
+    if columns:
+        corrections["columns"] = [*corrections.get("columns", []), *_columns(columns)]
+    content, services = await request.body(), request.services
+    if dry_run:
+        return described(await services.tables.described(request.client_id, content, corrections))
+    created = await services.recordings.create(content, corrections, request.client_id, request.token)
     response.headers["Location"] = f"{API}/recordings/{created.id}"
     return created
 
@@ -90,11 +107,12 @@ async def get_recording(
     )
 
 
-def _mapping(text: str | None) -> dict[str, str]:
+def _columns(text: str) -> list[dict[str, str | None]]:
     try:
-        mapping = json.loads(text or "{}")
+        mapping = json.loads(text)
     except (ValueError, RecursionError):
         mapping = None
     if not isinstance(mapping, dict) or not all(isinstance(value, str) for value in mapping.values()):
         raise InvalidError("This has to be JSON: by name of a column its signal with the unit", parameter="columns")
-    return mapping
+    parts = {title: unit_in(said, "1") for title, said in mapping.items()}
+    return [{"title": title, "means": means, "unit": unit or None} for title, (means, unit) in parts.items()]

@@ -6,6 +6,7 @@ from fastapi import Path, Query, Response
 
 from backend.api.lists import DEFAULT_LIMIT, Cursor, Limit, Owner
 from backend.api.routing import API, LONGEST_CSV, ApiRequest, router
+from backend.api.tables import DRY_RUN, DryRun, TableParameter, described
 from backend.errors import InvalidError
 from backend.http import problems
 from backend.http.answers import revalidated
@@ -13,6 +14,7 @@ from backend.http.openapi import BYTES
 from backend.models import MAX_POINTS
 from backend.roads import export, opencrg, survey
 from backend.roads.models import CreatedRoad, RoadAnswer, RoadPage
+from backend.tables import parse_table
 
 OPENCRG = "application/x-opencrg"
 LONGEST_GRID = 16 * 1024 * 1024  # of an OpenCRG file [bytes]
@@ -33,6 +35,7 @@ RoadId = Annotated[str, Path(alias="id", max_length=64, description="Of the road
     operation_id="createRoad",
     status_code=201,
     response_model=CreatedRoad,
+    responses=DRY_RUN,
     openapi_extra={
         "requestBody": {
             "required": True,
@@ -46,19 +49,23 @@ async def create_road(
     response: Response,
     left: Annotated[float | None, Query(ge=-FAR, le=FAR, description="Of OpenCRG: v of the left wheel [m]")] = None,
     right: Annotated[float | None, Query(ge=-FAR, le=FAR, description="Of OpenCRG: v of the right wheel [m]")] = None,
-) -> CreatedRoad:
-    """Store a measured profile: CSV with each column's unit in its header, or an OpenCRG file, text or binary.
+    table: TableParameter = None,
+    dry_run: DryRun = False,
+) -> CreatedRoad | Response:
+    """Store a measured profile: a table of distance and height, or left and right height, or an OpenCRG file.
 
-    CSV has distance and height, or left and right height. Of OpenCRG two wheel tracks are taken, 0.75 m left and right
-    of the reference line if `left` and `right` say no other.
+    What a table's columns mean is found, or asked by a 422 `table-unsure`; `dry_run` answers how it would be read. Of
+    OpenCRG two wheel tracks are taken, 0.75 m left and right of the reference line if `left` and `right` say no other.
     """
-    content = await request.body()
+    content, corrections, services = await request.body(), parse_table(table), request.services
     if request.headers["content-type"].lower().startswith(OPENCRG):
-        created = await request.services.roads.create(
-            request.client_id, request.token, opencrg.read, content, left, right
-        )
+        if dry_run or corrections:
+            raise InvalidError("An OpenCRG file says itself what it holds", parameter="dry_run" if dry_run else "table")
+        created = await services.roads.create(request.client_id, request.token, opencrg.read, content, left, right)
     elif left is None and right is None:
-        created = await request.services.roads.create(request.client_id, request.token, survey.read, content)
+        if dry_run:
+            return described(await services.tables.described(request.client_id, content, corrections))
+        created = await services.roads.create(request.client_id, request.token, survey.read, content, corrections)
     else:
         raise InvalidError("Only an OpenCRG file has wheels to place", parameter="right" if left is None else "left")
     response.headers["Location"] = f"{API}/roads/{created.id}"

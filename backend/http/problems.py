@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from itertools import product
 from typing import Annotated, cast
 
+import orjson
 from fastapi import FastAPI, Request
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import Response
@@ -18,6 +19,7 @@ from backend.http.problem_types import KINDS, OF_STATUS, TYPES
 from backend.http.validation import to_field_error
 from backend.logs import REQUEST_ID
 from backend.metrics import REFUSED, STORE_ERRORS
+from backend.table_models import TableAnswer
 from backend.unknown_names import pointer
 from sim_core.errors import RidelabError, TooExpensiveError
 
@@ -69,6 +71,7 @@ class Problem(BaseModel):
     detail: str
     errors: list[ProblemPlace]
     request_id: str = Field(description="Also in the header X-Request-ID and in the service's log")
+    table: TableAnswer | None = Field(None, description="Of `table-unsure`: what was understood of the file")
 
 
 class RequestError(ServiceError):
@@ -100,6 +103,7 @@ def problem(
     status: int | None = None,
     errors: Sequence[Mapping[str, str]] = (),
     headers: Mapping[str, str] | None = None,
+    table: Mapping[str, object] | None = None,
 ) -> Response:
     """The response with this problem.
 
@@ -109,6 +113,7 @@ def problem(
         status: None is the kind's first one.
         errors: `{"pointer" or "parameter", "message"}` of each part that is to blame.
         headers: Of the answer.
+        table: Of a file that has to be asked about.
     """
     entry = KINDS[kind]
     status = status or entry.statuses[0]
@@ -122,8 +127,12 @@ def problem(
         detail=detail or entry.meaning,
         errors=[ProblemPlace.model_validate(place) for place in errors],
         request_id=REQUEST_ID.get(),
+        table=TableAnswer.model_validate(table) if table else None,
     )
-    return Response(content.model_dump_json(exclude_none=True), status, headers, MEDIA_TYPE)
+    body = content.model_dump(exclude_none=True, exclude={"table"})
+    if content.table:  # with its own nulls
+        body["table"] = content.table.model_dump(by_alias=True)
+    return Response(orjson.dumps(body), status, headers, MEDIA_TYPE)
 
 
 def register(app: FastAPI) -> None:
@@ -142,7 +151,8 @@ async def _service(request: Request, error: Exception) -> Response:
     # Nothing points into a body that is not there.
     errors = [place for place in error.errors if not place["pointer"] or request.method not in ("GET", "HEAD")]
     status = getattr(error, "status", None)
-    return problem(error.kind, error.message, status=status, errors=_as_sent(request, errors), headers=headers)
+    placed, table = _as_sent(request, errors), getattr(error, "table", None)
+    return problem(error.kind, error.message, status=status, errors=placed, headers=headers, table=table)
 
 
 async def _http(request: Request, error: Exception) -> Response:

@@ -7,16 +7,15 @@ from typing import Any
 import numpy as np
 
 from backend.compute.workers import Workers
-from backend.csv_lines import CsvError
 from backend.errors import InvalidError, NotFoundError
 from backend.gate import Gate
 from backend.recordings import export, reading
 from backend.recordings.models import CreatedRecording, RecordedColumn, RecordingAnswer, RecordingPage, RecordingRow
 from backend.store import Store
+from backend.tables import Tables
 from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import PREFIX, RecordedDrive, recording_id
 
-READING_COST = 2.0  # of the longest file allowed [s of one core]
 CSV_COST = 2e-6  # of one value [s of one core]
 
 
@@ -27,24 +26,21 @@ class Recordings:
     store: Store
     workers: Workers
     gate: Gate
+    tables: Tables
 
     async def create(
-        self, content: bytes, mapping: Mapping[str, str], client: str, owner: str | None
+        self, content: bytes, table: Mapping[str, Any] | None, client: str, owner: str | None
     ) -> CreatedRecording:
-        """Read a CSV file that a token sent, and store its recording; the first arguments as of `reading.read`.
+        """Read a file that a token sent, and store its recording; the first arguments as of `reading.read`.
 
         Raises:
-            InvalidError: It is none; the message has the line.
+            InvalidError: It is none, or has to be asked about.
             TemporaryError: Too much is being read.
         """
-        with self.gate.computing(client, READING_COST):
-            try:
-                read = await self.workers.call(reading.read, content, mapping, client=client, cost=READING_COST)
-            except CsvError as error:
-                raise InvalidError(f"Line {error.line}: {error.message}.", pointer="") from None
+        read = await self.tables.read(client, reading.read, content, table)
         await self.store.write(self.store.recordings.save, read.drive, owner)
         head = await self.workers.call(head_of, read.drive, client=client)
-        columns = [RecordedColumn.model_validate(each) for each in read.columns]
+        columns = [RecordedColumn(name=each.title, signal=each.means, unit=each.unit) for each in read.columns]
         return CreatedRecording(**head, columns=columns, warnings=list(read.warnings))
 
     async def get(self, recording: str, client: str) -> RecordingAnswer:

@@ -6,10 +6,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from backend.csv_lines import MAX_LINE, MAX_NUMBER
 from backend.roads import export
-from backend.roads.survey import MAX_GAP, SurveyError
+from backend.roads.survey import MAX_GAP
+from sim_core.tables.errors import TableError
 
+MAX_LINES, MAX_LINE = 350_000, 500  # cross-sections, and characters of a line
+MAX_NUMBER = 1e12  # in any unit
 MAX_HEADER = 20_000  # lines
 MIN_GAP = 1e-4  # between cross-sections [m]
 TEXT = {"LRFI": 10, "LDFI": 20}  # characters of a value
@@ -50,16 +52,16 @@ def read_header(content: bytes) -> Header:
     """Return the header of a file.
 
     Raises:
-        SurveyError: It is none, or something in it is not supported.
+        TableError: It is none, or something in it is not supported.
     """
     header, section, start = Header(), "", 0
     while header.line < MAX_HEADER:
         end = content.find(b"\n", start)
         header.line += 1
         if end < 0:
-            raise SurveyError("This is no OpenCRG file: its values begin behind a line of $$$$", header.line)
+            raise TableError("This is no OpenCRG file: its values begin behind a line of $$$$", header.line)
         if end - start > MAX_LINE:
-            raise SurveyError(f"A line may have {MAX_LINE} characters", header.line)
+            raise TableError(f"A line may have {MAX_LINE} characters", header.line)
         line = content[start:end].decode("latin-1").strip()
         start = end + 1
         if line.startswith("$"):
@@ -68,12 +70,12 @@ def read_header(content: bytes) -> Header:
                 return _checked(header)
             section = "" if section else next((each for each in _SECTIONS if line.lower().startswith(each)), "other")
             if section == "$road_crg_file":
-                raise SurveyError("It refers to other files: send one that has everything", header.line)
+                raise TableError("It refers to other files: send one that has everything", header.line)
         elif section == "$ct":
             header.road_id = header.road_id or export.exported_id(line)
         elif section and line and not line.startswith("*"):
             _entry(header, section, line.partition("!")[0].strip())
-    raise SurveyError(f"The header may have {MAX_HEADER} lines", header.line)
+    raise TableError(f"The header may have {MAX_HEADER} lines", header.line)
 
 
 def _entry(header: Header, section: str, line: str) -> None:
@@ -88,12 +90,12 @@ def _entry(header: Header, section: str, line: str) -> None:
     number = NUMBER.match(text)
     value = float(number[1].lower().replace("d", "e")) if number else math.nan
     if not abs(value) <= MAX_NUMBER:
-        raise SurveyError(f"{name} is not a number", header.line)
+        raise TableError(f"{name} is not a number", header.line)
     if section == "$road_crg_mods":
         if not MODIFIERS.fullmatch(name) or (name == "grid_nan_mode" and value != 2):
-            raise SurveyError(f"The modifier {name} is not supported", header.line)
+            raise TableError(f"The modifier {name} is not supported", header.line)
         if name in ("scale_length", "scale_width") and value <= 0:
-            raise SurveyError(f"{name} is above 0", header.line)
+            raise TableError(f"{name} is above 0", header.line)
     elif section == "$road_crg_opts" and name.startswith("border_smooth") and value:
         header.notes.append(f"The option {name} is left out: heights are taken as they are in the file")
     header.values[name] = value
@@ -104,7 +106,7 @@ def _define(header: Header, line: str) -> None:
     if line.startswith("#:"):
         header.data_format = line[2:6].upper()
         if header.data_format not in {**TEXT, **BINARY}:
-            raise SurveyError(f"The format of values is one of {', '.join([*TEXT, *BINARY])}", header.line)
+            raise TableError(f"The format of values is one of {', '.join([*TEXT, *BINARY])}", header.line)
     if not line.upper().startswith("D:"):
         return
     channel, name = header.channels, line[2:].strip()
@@ -114,14 +116,14 @@ def _define(header: Header, line: str) -> None:
         header.numbered = section["number"] is not None
         at = NUMBER.fullmatch(section["number"] or section["at"])
         if at is None:
-            raise SurveyError("The place of a long section is not a number", header.line)
+            raise TableError("The place of a long section is not a number", header.line)
         header.sections[channel] = float(at[1].lower().replace("d", "e"))
         return
     reference = REFERENCE.match(name)
     if reference:
         header.reference[next(filter(None, reference.groups())).lower()] = channel
     elif re.match("reference line|long section", name, re.IGNORECASE):
-        raise SurveyError(f"The channel {name} is not supported, or its unit is not", header.line)
+        raise TableError(f"The channel {name} is not supported, or its unit is not", header.line)
     else:
         header.notes.append(f"The channel {name} is left out")
 
@@ -129,9 +131,9 @@ def _define(header: Header, line: str) -> None:
 def _checked(header: Header) -> Header:
     increment = header.values.get("reference_line_increment", 0.0)
     if not (MIN_GAP <= increment <= MAX_GAP and MIN_GAP <= header.increment <= MAX_GAP):
-        raise SurveyError(f"REFERENCE_LINE_INCREMENT is from {MIN_GAP:g} to {MAX_GAP:g} m", header.line)
+        raise TableError(f"REFERENCE_LINE_INCREMENT is from {MIN_GAP:g} to {MAX_GAP:g} m", header.line)
     if len(header.sections) < 2:
-        raise SurveyError("A grid has two long sections at least", header.line)
+        raise TableError("A grid has two long sections at least", header.line)
     return header
 
 
@@ -140,7 +142,7 @@ def places_of(header: Header) -> dict[int, float]:
     count, numbers = len(header.sections), list(header.sections.values())
     if header.numbered:
         if sorted(numbers) != list(range(1, count + 1)):
-            raise SurveyError("Long sections are all numbered from 1 on, or all have their place", header.line)
+            raise TableError("Long sections are all numbered from 1 on, or all have their place", header.line)
         right, left, step = (header.values.get(f"long_section_v_{name}") for name in ("right", "left", "increment"))
         if step is None:
             step = 0.01 if left is None or right is None else (left - right) / (count - 1)
@@ -148,5 +150,5 @@ def places_of(header: Header) -> dict[int, float]:
             right = -step * (count - 1) / 2 if left is None else left - step * (count - 1)
         numbers = [right + step * (number - 1) for number in numbers]
     if not min(np.diff(np.sort(numbers))) > 1e-6:
-        raise SurveyError("Two long sections are at one place", header.line)
+        raise TableError("Two long sections are at one place", header.line)
     return {channel: v * header.scale("width") for channel, v in zip(header.sections, numbers, strict=True)}

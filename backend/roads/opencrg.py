@@ -8,20 +8,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from backend.csv_lines import MAX_LINE, MAX_LINES, MAX_NUMBER
 from backend.roads import export
-from backend.roads.crg_header import BINARY, TEXT, Header, places_of, read_header
-from backend.roads.survey import (
-    MAX_LENGTH,
-    MIN_LENGTH,
-    Survey,
-    SurveyError,
-    check_heights,
-    exported_survey,
-    survey_of,
-)
+from backend.roads.crg_header import BINARY, MAX_LINE, MAX_LINES, MAX_NUMBER, TEXT, Header, places_of, read_header
+from backend.roads.survey import Survey, check_heights, exported_survey, survey_of
 from sim_core.arrays import FloatArray
 from sim_core.scenario.measured import SPACING, MeasuredRoad
+from sim_core.tables.errors import TableError
+from sim_core.tables.roads import MAX_LENGTH, MIN_LENGTH
 
 TRACK = 0.75  # of a wheel beside the reference line, where none is asked for [m]
 MAX_BEND = 0.1  # share by which a wheel's path on a bend may differ from the reference line's
@@ -56,7 +49,7 @@ def read(content: bytes, left: float | None = None, right: float | None = None) 
     """Return the road under two wheels, which run beside the reference line at v = `left` and v = `right` [m].
 
     Raises:
-        SurveyError: There is none, or something in it is not supported; `line` is where, None in a binary part.
+        TableError: There is none, or something in it is not supported; `line` is where, None in a binary part.
     """
     header = read_header(content)
     places = places_of(header)
@@ -66,7 +59,7 @@ def read(content: bytes, left: float | None = None, right: float | None = None) 
     distance: FloatArray = begin + header.increment * np.arange(len(table), dtype=np.float64)
     length = distance[-1] - distance[0]
     if not MIN_LENGTH <= length <= MAX_LENGTH + 1e-6:
-        raise SurveyError(f"A road is from {MIN_LENGTH:g} to {MAX_LENGTH:g} m long, this one {length:g} m", None)
+        raise TableError(f"A road is from {MIN_LENGTH:g} to {MAX_LENGTH:g} m long, this one {length:g} m", None)
     with np.errstate(all="ignore"):  # what is no number is refused
         _check_bends(header, table, wheels)
         tracks = [_across(header, table, places, wheel) + _reference(header, table, wheel) for wheel in wheels]
@@ -82,7 +75,7 @@ def _wheels(header: Header, v: FloatArray, left: float | None, right: float | No
     wheels = (min(TRACK, float(v[-1])) if left is None else left, max(-TRACK, float(v[0])) if right is None else right)
     if not v[0] - 1e-9 <= wheels[1] < wheels[0] <= v[-1] + 1e-9:
         span = f"from {v[0]:g} m right to {v[-1]:g} m left"
-        raise SurveyError(f"The wheels' places, right below left, are within the road: v {span}", None)
+        raise TableError(f"The wheels' places, right below left, are within the road: v {span}", None)
     header.notes.append(f"Wheels run {wheels[0]:g} m left of the reference line and {-wheels[1]:g} m right of it")
     return wheels
 
@@ -100,20 +93,20 @@ def _text_values(header: Header, content: bytes) -> FloatArray:
         number += 1
         expected = lengths[len(pieces) % len(lengths)]
         if end - start > MAX_LINE:
-            raise SurveyError(f"A line may have {MAX_LINE} characters", number)
+            raise TableError(f"A line may have {MAX_LINE} characters", number)
         line = content[start:end].rstrip()
         start = end + 1
         if not line:
             if number - header.line > len(pieces) + MAX_LINES:
-                raise SurveyError(f"There may be {MAX_LINES} empty lines", number)
+                raise TableError(f"There may be {MAX_LINES} empty lines", number)
             continue
         if not expected - width < len(line) <= expected:
-            raise SurveyError(f"This line has {expected // width} values of {width} characters", number)
+            raise TableError(f"This line has {expected // width} values of {width} characters", number)
         pieces.append(line.ljust(expected))
         if len(pieces) > MAX_LINES * len(lengths):
-            raise SurveyError(f"A road may have {MAX_LINES} cross-sections", number)
+            raise TableError(f"A road may have {MAX_LINES} cross-sections", number)
     if not pieces or len(pieces) % len(lengths):
-        raise SurveyError("The file ends within a cross-section", number)
+        raise TableError("The file ends within a cross-section", number)
     plain = np.frombuffer(bytearray(b"".join(pieces)), dtype=np.uint8).reshape(-1, width)
     is_number = _DIGITS[plain].all(axis=1)
     cells = plain.view(f"S{width}").ravel()
@@ -124,7 +117,7 @@ def _text_values(header: Header, content: bytes) -> FloatArray:
     except ValueError:
         index = next(index for index in np.flatnonzero(is_number) if not _is_number(cells[index]))
         said = f"A value of cross-section {index // header.channels + 1} is not a number"
-        raise SurveyError(said, None) from None
+        raise TableError(said, None) from None
     return _complete(header, values.reshape(-1, header.channels))
 
 
@@ -143,7 +136,13 @@ def _binary_values(header: Header, content: bytes) -> FloatArray:
     values = np.frombuffer(content, kind, rows * header.channels, header.begin).reshape(-1, header.channels)
     size = np.abs(values[values != 0])
     if np.isinf(size).any() or np.nanmean(np.append((size > MAX_NUMBER) | (size < 1e-20), False)) > 0.01:
-        raise SurveyError("Values are none of a road; are they big-endian, as OpenCRG's binary ones are?", None)
+        whole = (len(content) - header.begin) % RECORD == 0
+        why = (
+            "are they big-endian, as OpenCRG's binary ones are?"
+            if whole
+            else f"they are no whole records of {RECORD} bytes: line ends were changed, or the file is cut off"
+        )
+        raise TableError(f"Values are none of a road; {why}")
     return _complete(header, values)
 
 
@@ -156,11 +155,11 @@ def _complete(header: Header, values: FloatArray) -> FloatArray:
         begin = header.values.get("reference_line_start_u", 0.0)
         rows = int((end - begin) / header.values["reference_line_increment"] + 0.5) + 1
     if rows > len(values):
-        raise SurveyError(f"The file is cut off: {rows} cross-sections are announced, {len(values)} are there", None)
+        raise TableError(f"The file is cut off: {rows} cross-sections are announced, {len(values)} are there", None)
     if rows < 2:
-        raise SurveyError("A road has two cross-sections at least; the end is behind the start", None)
+        raise TableError("A road has two cross-sections at least; the end is behind the start", None)
     if rows > MAX_LINES:
-        raise SurveyError(f"A road may have {MAX_LINES} cross-sections", None)
+        raise TableError(f"A road may have {MAX_LINES} cross-sections", None)
     return values[:rows]
 
 
@@ -176,7 +175,7 @@ def _across(header: Header, table: FloatArray, places: dict[int, float], wheel: 
         heights = table[row, channels].astype(np.float64)
         there = ~np.isnan(heights)
         if not there.any():
-            raise SurveyError(f"Cross-section {row + 1} has no height at all", None)
+            raise TableError(f"Cross-section {row + 1} has no height at all", None)
         height[row] = np.interp(wheel, v[there], heights[there])
     if len(gaps):
         header.notes.append(f"At v = {wheel:g} m {len(gaps)} heights are missing: those beside them are taken")
@@ -188,7 +187,7 @@ def _reference(header: Header, table: FloatArray, wheel: float) -> FloatArray:
     """Return what slope and banking of the reference line add to the heights (rows,) [m] at v [m]."""
     columns = {name: table[:, channel].astype(np.float64) for name, channel in header.reference.items()}
     if any(np.isnan(column[1:]).any() for column in columns.values()):
-        raise SurveyError("A value of the reference line is missing", None)
+        raise TableError("A value of the reference line is missing", None)
     slope = columns.get("slope", np.full(len(table), header.values.get("reference_line_start_s", 0.0)))
     climb = np.cumsum(np.append(0.0, slope[1:])) * header.increment * header.scale("slope")
     banking = columns.get("banking", header.values.get("reference_line_start_b", 0.0))
@@ -204,7 +203,7 @@ def _check_bends(header: Header, table: FloatArray, wheels: Sequence[float]) -> 
     curvature = (heading[apart:] - heading[:-apart]) / (apart * header.increment)
     bend = float(np.abs(curvature).max(initial=0.0)) * max(map(abs, wheels))
     if not bend <= MAX_BEND:
-        raise SurveyError(f"The reference line bends by more than {MAX_BEND:.0%} of a wheel's path", None)
+        raise TableError(f"The reference line bends by more than {MAX_BEND:.0%} of a wheel's path", None)
     if bend > SAID_BEND:
         header.notes.append(
             f"Distance is the reference line's: on its bends a wheel's path differs by up to {bend:.1%}"

@@ -6,7 +6,6 @@ from dataclasses import asdict, dataclass
 import numpy as np
 
 from backend.compute.workers import Workers
-from backend.csv_lines import CsvError
 from backend.errors import InvalidError, NotFoundError, ShortRoadError
 from backend.gate import Gate
 from backend.json_types import JsonObject
@@ -14,13 +13,13 @@ from backend.models import CautionAnswer
 from backend.roads import survey
 from backend.roads.models import CreatedRoad, FoundBumpAnswer, RoadAnswer, RoadPage, RoadRow
 from backend.store import Store
+from backend.tables import Tables
 from sim_core import RidelabError, Scenario
 from sim_core.comparison.road_cautions import road_cautions, spectrum_caution
 from sim_core.road.iso8608 import Estimate
 from sim_core.road.survey import DetectedBump, bumps_in
 from sim_core.scenario.measured import SPACING, MeasuredRoad
 
-SURVEY_COST = 1.0  # reading the longest file allowed [s of one core]
 EXPORT_COST = 2e-6  # of one height [s of one core]
 POINTER = "/scenario/road/profile"
 
@@ -32,6 +31,7 @@ class MeasuredRoads:
     store: Store
     workers: Workers
     gate: Gate
+    tables: Tables
 
     async def create(
         self, client: str, owner: str | None, read: Callable[..., survey.Survey], *file: object
@@ -39,15 +39,10 @@ class MeasuredRoads:
         """Store the road that `read` makes of a file, which a token sent.
 
         Raises:
-            InvalidError: It is none; the message has the line.
+            InvalidError: It is none, or has to be asked about.
             TemporaryError: Too much is being read.
         """
-        with self.gate.computing(client, SURVEY_COST):
-            try:
-                surveyed = await self.workers.call(read, *file, client=client, cost=SURVEY_COST)
-            except (CsvError, survey.SurveyError) as error:
-                place = "" if error.line is None else f"Line {error.line}: "
-                raise InvalidError(f"{place}{error.message}.", pointer="") from None
+        surveyed = await self.tables.read(client, read, *file)
         await self.store.write(self.store.roads.save, surveyed.road, surveyed.analysis, owner)
         road = surveyed.road
         return CreatedRoad(

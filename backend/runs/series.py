@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from backend.cost.estimate import duration, samples
-from backend.csv_lines import MAX_LINES
 from backend.json_types import JsonObject
 from backend.outcome import Sampling
 from sim_core import Scenario, StrategyResult
@@ -23,6 +22,7 @@ from sim_core.catalogue import BUMP, SIGNALS
 from sim_core.result import Series
 from sim_core.scenario.recorded import recording_id
 from sim_core.strategies import strategies, strategy_named
+from sim_core.tables.drives import MOST_SAMPLES
 
 SeriesArray = NDArray[np.float32]
 ROWS = {key: row for row, key in enumerate(SIGNALS)}
@@ -297,7 +297,7 @@ def as_json(values: Callable[[str], SeriesArray], signals: Iterable[str], encodi
 def most_samples(scenario: Scenario, strategy: str, *, jumps: bool = False) -> int:
     """About the most samples that the strategy's time histories have, with those before `jumps` or without."""
     if recording_id(strategy) is not None:
-        return MAX_LINES
+        return MOST_SAMPLES
     name = strategy if strategy in strategies() else "lv"  # none has more than it: one that is gone may be pinned
     steps, fine = samples(scenario, strategy_named(name), duration(scenario, name))
     return ceil(steps) * (fine + jumps)

@@ -56,6 +56,7 @@ class RidelabAPIError(RidelabClientError):
         request_id: What the service's log calls the request.
         kind: Which kind of problem, such as `not-found` (docs/reference/api.md lists them); None where it is not
             the service's.
+        table: Of `table-unsure`: what was understood of a file, with the questions to answer; else None.
     """
 
     status: int
@@ -63,6 +64,7 @@ class RidelabAPIError(RidelabClientError):
     errors: Sequence[ErrorPlace] = ()
     request_id: str | None = None
     kind: str | None = None
+    table: Mapping[str, Any] | None = None
 
     @classmethod
     def of(cls, status: int, problem: Mapping[str, Any]) -> Self:
@@ -75,7 +77,8 @@ class RidelabAPIError(RidelabClientError):
         ]
         detail = str(problem.get("detail") or problem.get("title") or f"HTTP {status}")
         prefix, _, kind = str(problem.get("type", "")).rpartition(":")
-        return cls(status, detail, errors, problem.get("request_id"), kind if prefix == _TYPES else None)
+        kind = kind if prefix == _TYPES else ""
+        return cls(status, detail, errors, problem.get("request_id"), kind or None, problem.get("table"))
 
     @property
     def lines(self) -> list[str]:

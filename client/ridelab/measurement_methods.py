@@ -14,10 +14,26 @@ from ridelab.results import quoted_id
 class MeasurementMethods(Connection):
     """Methods of `Ridelab` for measured roads and recordings."""
 
-    def upload_road(
-        self, source: str | os.PathLike[str] | bytes, *, left: float | None = None, right: float | None = None
+    def describe_table(
+        self, source: str | os.PathLike[str] | bytes, table: Mapping[str, Any] | None = None
     ) -> dict[str, Any]:
-        """Send a measured profile, a CSV or OpenCRG file or its content; `id` is for a scenario's `road.profile`.
+        """Say how a file of a road or a drive would be read: its `kind`, its columns, what is asked, the first rows.
+
+        Corrected, the answer is the `table` of `upload_road` and `upload_recording`, which decides.
+        """
+        params = {"dry_run": True, **_table(table)}
+        answer: dict[str, Any] = self._http.json("POST", f"{API}/roads", body=_content(source), params=params)
+        return dict(answer["table"])
+
+    def upload_road(
+        self,
+        source: str | os.PathLike[str] | bytes,
+        *,
+        left: float | None = None,
+        right: float | None = None,
+        table: Mapping[str, Any] | None = None,
+    ) -> dict[str, Any]:
+        """Send a measured profile, a table or OpenCRG file or its content; `id` is for a scenario's `road.profile`.
 
         The answer has `length` [m], `samples`, `bumps` (found in it), `warnings` (what was done to it), and of the
         heights as they came `iri` [m/km] and by ISO 8608 `iso_class`, `roughness` [m^3] and `waviness`, with intervals.
@@ -27,11 +43,15 @@ class MeasurementMethods(Connection):
             source: The file; which of the two it is is seen from its content.
             left: Of OpenCRG: where the left wheel runs, v [m]; None is 0.75.
             right: The same of the right wheel; None is -0.75.
+            table: Of a table: what its columns are, where the file doesn't say it (`describe_table`).
+
+        Raises:
+            RidelabAPIError: It is none; of kind `table-unsure` where it has to be asked about, with `table`.
         """
-        content = source if isinstance(source, bytes) else Path(source).read_bytes()
+        content = _content(source)
         kind = "application/x-opencrg" if re.search(rb"^\$\$\$\$", content, re.MULTILINE) else "text/csv"
-        wheels = {"left": left, "right": right}
-        return self._http.json("POST", f"{API}/roads", body=content, params=wheels, headers={"Content-Type": kind})
+        params = {"left": left, "right": right, **_table(table)}
+        return self._http.json("POST", f"{API}/roads", body=content, params=params, headers={"Content-Type": kind})
 
     def road(self, road_id: str, points: int = 2000) -> dict[str, Any]:
         """A measured road: as `upload_road` has it, and at most so many heights, `distance` and `height` [m]."""
@@ -49,9 +69,13 @@ class MeasurementMethods(Connection):
         return self._content(f"/roads/{quoted_id(road_id)}", {"format": file_format, "encoding": encoding})
 
     def upload_recording(
-        self, source: str | os.PathLike[str] | bytes, columns: Mapping[str, str] | None = None
+        self,
+        source: str | os.PathLike[str] | bytes,
+        columns: Mapping[str, str] | None = None,
+        *,
+        table: Mapping[str, Any] | None = None,
     ) -> dict[str, Any]:
-        """Send a recorded drive, a CSV file or its content; `strategy` stands for it among a run's strategies.
+        """Send a recorded drive, a table or its content; `strategy` stands for it among a run's strategies.
 
         The answer has `signals`, `samples`, `duration` [s], `columns` (what each was read as) and `warnings`.
 
@@ -59,10 +83,13 @@ class MeasurementMethods(Connection):
             source: The file.
             columns: By name of a column its signal with the unit, `{"acc_z": "body_acceleration [g]"}`, or an empty
                 text to leave it out; others are read by their own names.
+            table: The same and more: separator, clock, rate and so on (`describe_table`).
+
+        Raises:
+            RidelabAPIError: It is none; of kind `table-unsure` where it has to be asked about, with `table`.
         """
-        content = source if isinstance(source, bytes) else Path(source).read_bytes()
-        mapping = {"columns": json.dumps(dict(columns))} if columns else None
-        return self._http.json("POST", f"{API}/recordings", body=content, params=mapping)
+        params = {"columns": json.dumps(dict(columns))} if columns else {}
+        return self._http.json("POST", f"{API}/recordings", body=_content(source), params={**params, **_table(table)})
 
     def recording(self, recording_id: str) -> dict[str, Any]:
         """A recorded drive: `strategy`, `signals`, `samples`, `duration` [s], `distance` [m]."""
@@ -72,3 +99,15 @@ class MeasurementMethods(Connection):
     def recording_content(self, recording_id: str) -> Iterator[bytes]:
         """Every sample of a recording as CSV, piece by piece; `upload_recording` makes the same one of it anywhere."""
         return self._content(f"/recordings/{quoted_id(recording_id)}", {"format": "csv"})
+
+
+def _content(source: str | os.PathLike[str] | bytes) -> bytes:
+    return source if isinstance(source, bytes) else Path(source).read_bytes()
+
+
+def _table(table: Mapping[str, Any] | None) -> dict[str, str]:
+    """Return the corrections as a parameter: without what an answer says beside them, which would make it long."""
+    if table is None:
+        return {}
+    told = ("questions", "notes", "preview", "units_line", "first_row")
+    return {"table": json.dumps({key: value for key, value in table.items() if key not in told})}

@@ -15,6 +15,7 @@ from backend.db.tables import results, roads, run_roads
 from backend.roads.samples import HUMP as HUMP_OF_STREET
 from backend.roads.samples import POTHOLE, SAMPLES
 from backend.roads.survey import read
+from ridelab import Ridelab, RidelabAPIError
 from sim_core import Scenario, simulate
 from tests.api.conftest import Service
 from tests.servers.batches import computed
@@ -64,6 +65,26 @@ def test_a_road_is_known_by_its_content_and_the_same_when_its_export_is_sent(
     assert (again.json()["id"], again.json()["bumps"]) == (sent["id"], sent["bumps"])
     missing = client.get(f"/api/v1/roads/{MISSING}", params={"format": "csv"})
     assert (missing.status_code, missing.headers["content-type"]) == (404, "application/problem+json")
+
+
+def test_a_road_that_is_not_sure_is_asked_about_and_read_by_the_answers(
+    client: httpx.Client, sent: dict[str, Any]
+) -> None:
+    asked = FILE.replace("distance [m],height [mm]", "a,b")
+    problem = send(client, asked).json()
+    assert problem["type"].endswith("table-unsure")
+    guesses = {question["field"]: question["guess"] for question in problem["table"]["questions"]}
+    assert guesses == {"/columns/0/means": "distance", "/columns/0/unit": "m", "/columns/1/means": "height"} | {
+        "/columns/1/unit": "mm"
+    }
+    with Ridelab(str(client.base_url)) as ridelab:
+        assert (
+            ridelab.upload_road(asked.encode(), table=ridelab.describe_table(asked.encode(), {"kind": "road"}))["id"]
+            == sent["id"]
+        )
+        with pytest.raises(RidelabAPIError) as unsure:
+            ridelab.upload_road(asked.encode())
+    assert unsure.value.table == problem["table"]
 
 
 def test_heights_that_are_no_roads_are_cautioned(client: httpx.Client) -> None:

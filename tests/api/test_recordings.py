@@ -117,17 +117,34 @@ def test_a_recording_is_held_to_requirements(service: Service, shown: dict[str, 
 
 
 @pytest.mark.parametrize(
-    ("content", "columns", "said"),
+    ("content", "query", "said"),
     [
-        ("time [s],body_acceleration [m/s^2]\n", "[]", "This has to be JSON"),
-        ("time [s],body_acceleration [N]\n", "{}", "Line 1: Column 2"),
-        ("", "{}", "Line 1: The first line names the columns"),
+        ("time [s],body_acceleration [m/s^2]\n", {"columns": "[]"}, "This has to be JSON"),
+        ("time [s],body_acceleration [m/s^2]\n", {"table": "[]"}, "This has to be a JSON object"),
+        ("", {}, "There are no rows of numbers in this file"),
+        ("time [s],acc z [g]\n0,1\n1,2\n", {"columns": '{"acc q": "speed [m/s]"}'}, "there is no column of this title"),
     ],
 )
-def test_what_is_no_recording_is_refused(client: httpx.Client, content: str, columns: str, said: str) -> None:
-    answer = send(client, content, columns=columns)
+def test_what_is_no_recording_is_refused(client: httpx.Client, content: str, query: dict[str, str], said: str) -> None:
+    answer = send(client, content, **query)
     assert answer.status_code == 422
     assert said in answer.json()["errors"][0]["message"]
+
+
+def test_a_file_that_is_not_sure_is_asked_about_and_read_by_the_answers(
+    client: httpx.Client, sent: dict[str, Any]
+) -> None:
+    asked = recorded(*SENT).replace("time [s]", "time").replace("body_acceleration [m/s^2]", "z")
+    problem = send(client, asked).json()
+    assert problem["type"].endswith("table-unsure")
+    assert [question["field"] for question in problem["table"]["questions"]] == ["/columns/0/unit"]
+    described = send(client, asked, dry_run="true").raise_for_status()
+    assert described.json()["table"] == problem["table"]
+    assert described.json()["curve"]["signals"] == ["front_deflection"]
+    with Ridelab(str(client.base_url)) as ridelab:
+        table = ridelab.describe_table(asked.encode())
+        table["columns"][2] |= {"means": "body_acceleration", "unit": "m/s^2"}
+        assert ridelab.upload_recording(asked.encode(), table=table)["id"] == sent["id"]
 
 
 def test_one_that_nothing_shows_is_removed_when_it_is_old(service: Service, sent: dict[str, Any]) -> None:

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 
 from backend.roads import opencrg, survey
 from backend.roads.opencrg import as_binary, as_text, read
-from backend.roads.survey import SurveyError
 from sim_core.arrays import FloatArray
 from sim_core.scenario.measured import MeasuredRoad
+from sim_core.tables.errors import TableError
 
 LINES = 24
 ROWS = "".join(f"{0.01 * (i % 3):10.6f}{0.02 * (i % 5):10.6f}{0.0:10.6f}\n" for i in range(LINES))
@@ -227,7 +227,7 @@ def swapped(content: bytes) -> bytes:
     ],
 )  # fmt: skip
 def test_what_is_no_road_is_refused(content: bytes, line: int | None, said: str) -> None:
-    with pytest.raises(SurveyError) as caught:
+    with pytest.raises(TableError) as caught:
         read(content)
     assert said in caught.value.message
     if line is not None:
@@ -236,7 +236,7 @@ def test_what_is_no_road_is_refused(content: bytes, line: int | None, said: str)
 
 @pytest.mark.parametrize(("left", "right"), [(0.5, 0.9), (0.5, 0.5), (1.2, 0.0), (0.0, -1.2)])
 def test_wheels_are_within_the_road(left: float, right: float) -> None:
-    with pytest.raises(SurveyError, match="within the road: v from -1 m right to 1 m left"):
+    with pytest.raises(TableError, match="within the road: v from -1 m right to 1 m left"):
         read(file(), left, right)
 
 
@@ -250,6 +250,6 @@ def test_damaged_bytes_are_a_road_or_refused(data: st.DataObject) -> None:
             content[data.draw(st.integers(0, len(content) - 1))] = data.draw(st.integers(0, 255))
     try:
         road = read(bytes(content)).road
-    except SurveyError:
+    except TableError:
         return
     assert np.isfinite(road.heights()).all()

@@ -51,7 +51,7 @@ def test_a_unit_is_so_many_of_another(written: str, unit: str, expected: float) 
     ("text", "unit", "message"),
     [
         ("12 kg", "m", "12 kg is not understood: it takes m, mm, cm, km, in, ft or µm"),
-        ("3 furlongs", "km/h", "3 furlongs is not understood: it takes m/s, km/h, mph, cm/s or mm/s"),
+        ("3 furlongs", "km/h", "3 furlongs is not understood: it takes m/s, km/h, mph, ft/s, kn, cm/s or mm/s"),
         ("2 m", "1/N^2", "2 m is not understood: it takes 1/N^2"),
         ("high", "m", "high is not a number"),
     ],

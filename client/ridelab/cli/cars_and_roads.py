@@ -12,7 +12,7 @@ from typing import Annotated, Any
 
 import typer
 
-from ridelab.cli import options
+from ridelab.cli import options, tables
 from ridelab.cli.fields import VEHICLE, vehicle_of
 from ridelab.cli.lists import vehicles
 from ridelab.cli.reporting import InputError, check_out, deliver, print_json, show_cautions, show_table, with_unit
@@ -101,9 +101,7 @@ def _show(content: Mapping[str, Any], units: Mapping[str, str]) -> None:
             typer.echo(f"{title[:-1] if title == 'sources' else title}: {line}")
 
 
-_ROAD = (
-    "A measured profile as OpenCRG, or as CSV with distance [m] and height [mm] in its header; or the id of one sent."
-)
+_ROAD = "A measured profile: a table of distance and height, ERD, a spreadsheet, OpenCRG; or the id of one sent."
 _WHEEL = "Of OpenCRG: where the {} wheel runs beside the reference line, v [m]; {} if nothing is said."
 _SAVE = "Write the road itself there, every height: as CSV, or OpenCRG where the name ends in .crg."
 _SCENARIO_OUT = "Write a scenario on that road there, for every command that takes one; - is stdout."
@@ -119,6 +117,7 @@ def road(
     save: Annotated[str | None, options.option("FILE", _SAVE, "--save")] = None,
     left: Annotated[float | None, options.option("M", _WHEEL.format("left", "0.75"), "--left")] = None,
     right: Annotated[float | None, options.option("M", _WHEEL.format("right", "-0.75"), "--right")] = None,
+    table: tables.Table = None,
     as_json: options.AsJson = False,
 ) -> None:
     """Send a measured road, or show one: what was done to the file, its length, the bumps in it.
@@ -127,7 +126,7 @@ def road(
     found, there is none to brake for: its place is beyond the road's end.
     """
     ridelab = services.at()
-    profile = _measured_road(which, ridelab, left, right)
+    profile = _measured_road(which, ridelab, left, right, table)
     if save is not None:
         deliver(ridelab.road_content(profile["id"], "crg" if save.endswith(".crg") else "csv"), save)
     if out is not None:
@@ -147,11 +146,13 @@ def road(
             typer.echo("No bump was found in it: with road.bump.height=0 none is added")
 
 
-def _measured_road(which: str, ridelab: Ridelab, left: float | None, right: float | None) -> dict[str, Any]:
+def _measured_road(
+    which: str, ridelab: Ridelab, left: float | None, right: float | None, table: str | None
+) -> dict[str, Any]:
     if Path(which).is_file():
-        return ridelab.upload_road(which, left=left, right=right)
-    if left is not None or right is not None:
-        raise InputError("--left and --right place the wheels of a file that is sent")
+        return tables.sent(lambda said: ridelab.upload_road(which, left=left, right=right, table=said), table, which)
+    if (left, right, table) != (None, None, None):
+        raise InputError("--left, --right and --table are about a file that is sent")
     if not _ID.fullmatch(which):
         raise InputError(f"{which}: neither a file nor a measured road's id")
     return ridelab.road(which)

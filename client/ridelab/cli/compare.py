@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from ridelab.cli import options, recorded, requirements, targets
+from ridelab.cli import options, recorded, requirements, tables, targets
 from ridelab.cli.reporting import DIFFERENT, InputError, folder_of, print_json, show_table, shown, with_unit
 from ridelab.cli.service import Services
 from ridelab.requirements import FAIL, PASS, RequirementResult, failing
@@ -40,6 +40,7 @@ def compare(
         bool, options.flag("Different scenarios are a difference, too.", "--same-scenario")
     ] = False,
     column: Annotated[list[str] | None, options.option("NAME=SIGNAL [UNIT]", _COLUMN)] = None,
+    table: tables.Table = None,
     baseline: options.Baseline = None,
     require: requirements.Require = None,
     strict: requirements.Strict = False,
@@ -70,9 +71,9 @@ def compare(
         raise InputError("--baseline is what requirements' changes are against: give some with --require")
     named, patterns = options.listed(strategy), options.listed(metric, "--metric")
     drive = None
-    if b.lower().endswith(recorded.ENDING):
+    if b.lower().endswith(recorded.ENDINGS):
         side = targets.find(a, services)
-        drive = recorded.beside(b, side, named, recorded.mapping(column or []), services)
+        drive = recorded.beside(b, side, named, recorded.mapping(column or []), table, services)
         sides, first, second, names = [side], drive.simulated, drive.recorded, [drive.strategy]
     else:
         sides = [targets.find(target, services) for target in (a, b)]

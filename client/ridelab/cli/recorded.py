@@ -2,16 +2,15 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from http import HTTPStatus
 from typing import Any
 
+from ridelab.cli import tables
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
 from ridelab.cli.targets import Target
-from ridelab.errors import RidelabAPIError
 from ridelab.results import RunResult
 
-ENDING = ".csv"
+ENDINGS = (".csv", ".txt", ".tsv", ".dat", ".asc", ".vbo", ".xlsx")
 _EXAMPLE = "'acc_z=body_acceleration [g]'"
 SIGNAL = "signal."  # before a signal's name, of the difference of its curves
 
@@ -48,7 +47,12 @@ def mapping(columns: Sequence[str]) -> dict[str, str]:
 
 
 def beside(
-    file: str, target: Target, named: Sequence[str], columns: Mapping[str, str], services: Services
+    file: str,
+    target: Target,
+    named: Sequence[str],
+    columns: Mapping[str, str],
+    table: str | None,
+    services: Services,
 ) -> RecordedSide:
     """Send a recording and run it beside one strategy of the target.
 
@@ -63,12 +67,7 @@ def beside(
     if target.batch is not None or (target.run is not None and target.run.roads > 1):
         raise InputError(f"{target.name}: a recording is compared with a run over one road")
     ridelab = services.at()
-    try:
-        drive = ridelab.upload_recording(file, columns)
-    except RidelabAPIError as error:
-        if columns or error.status != HTTPStatus.UNPROCESSABLE_ENTITY:
-            raise
-        raise InputError(*error.lines, f"--column says what a column of {file} is: {_EXAMPLE}") from None
+    drive = tables.sent(lambda said: ridelab.upload_recording(file, columns, table=said), table, file)
     (strategy,), name = names, drive["strategy"]
     run = ridelab.run(target.scenario, [strategy, name])
     for each in (run[strategy], run[name]):

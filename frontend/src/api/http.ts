@@ -21,12 +21,16 @@ type Body<O> = O extends { readonly requestBody: { readonly content: infer Conte
   : unknown;
 type Question<O> = (O extends { readonly parameters: infer Parameters } ? Parameters : unknown) & Body<O>;
 type Json<Response> = Response extends { content: { readonly "application/json": infer Data } } ? Data : undefined;
-/** What is submitted is answered with 202, a dry run of it with 200. */
+/** What is submitted is answered with 202 or 201, a dry run of it with 200. */
 type Status<Responses, Q> = 202 extends keyof Responses
   ? Q extends { readonly body: { readonly dry_run: true } }
     ? 200
     : 202
-  : keyof Responses;
+  : 201 extends keyof Responses
+    ? Q extends { readonly query: { readonly dry_run: true } }
+      ? 200
+      : 201
+    : keyof Responses;
 type Answer<O, Q> = O extends { readonly responses: infer Responses }
   ? { [S in keyof Responses]: Json<Responses[S]> }[Status<Responses, Q> & keyof Responses]
   : never;

@@ -218,6 +218,31 @@ export interface components {
             readonly front: number;
             readonly rear: number;
         };
+        readonly backend__paper__models__TableAnswer: {
+            readonly columns: readonly components["schemas"]["Column"][];
+            readonly number: number;
+            readonly title: string;
+        };
+        readonly backend__table_models__TableAnswer: {
+            readonly bridge: number | null;
+            readonly clock: components["schemas"]["TableClock"];
+            readonly columns: readonly components["schemas"]["TableColumn"][];
+            /** @enum {string} */
+            readonly decimal: "." | ",";
+            readonly encoding: string;
+            readonly first_row: number;
+            readonly from: number | null;
+            /** @enum {string} */
+            readonly kind: "road" | "drive";
+            readonly notes: readonly string[];
+            readonly preview: readonly (readonly string[])[];
+            readonly questions: readonly components["schemas"]["TableQuestion"][];
+            readonly separator: string;
+            readonly sheet: string | null;
+            readonly titles_line: number | null;
+            readonly to: number | null;
+            readonly units_line: number | null;
+        };
         readonly Band: {
             readonly maximum: {
                 readonly [key: string]: readonly (number | null)[] | components["schemas"]["TypedArray"];
@@ -702,6 +727,10 @@ export interface components {
             readonly rear_tyre_stiffness: number;
             readonly wheelbase: number;
         };
+        readonly DescribedTable: {
+            readonly curve: components["schemas"]["TableCurve"] | null;
+            readonly table: components["schemas"]["backend__table_models__TableAnswer"];
+        };
         readonly Deviation: {
             readonly baseline_rms: number | null;
             readonly correlation: number | null;
@@ -1170,7 +1199,7 @@ export interface components {
             readonly scenario: JsonObject;
             readonly seeds: number;
             readonly simulated: components["schemas"]["Part"];
-            readonly tables: readonly components["schemas"]["TableAnswer"][];
+            readonly tables: readonly components["schemas"]["backend__paper__models__TableAnswer"][];
             readonly total: number;
             readonly unavailable: components["schemas"]["Unavailable"] | null;
             readonly without_preview: components["schemas"]["WithoutPreview"];
@@ -1632,10 +1661,32 @@ export interface components {
                 readonly [key: string]: number | string | boolean | null | readonly (number | readonly number[])[];
             }[] | null;
         };
-        readonly TableAnswer: {
-            readonly columns: readonly components["schemas"]["Column"][];
-            readonly number: number;
+        readonly TableClock: {
+            readonly column: number | null;
+            readonly rate: number | null;
+            readonly spacing: number | null;
+        };
+        readonly TableColumn: {
+            /** @enum {string} */
+            readonly direction: "up" | "down";
+            readonly index: number;
+            readonly likely: string | null;
+            readonly means: string | null;
+            readonly sure: boolean;
             readonly title: string;
+            readonly unit: string;
+        };
+        readonly TableCurve: {
+            readonly along: string;
+            readonly signals: readonly string[];
+            readonly values: readonly (readonly (number | null)[])[];
+            readonly x: readonly number[];
+        };
+        readonly TableQuestion: {
+            readonly choices: readonly string[];
+            readonly field: string;
+            readonly guess: string | number | null;
+            readonly text: string;
         };
         readonly Trial: {
             readonly feasible: boolean;
@@ -1838,6 +1889,8 @@ export type Absolutes = components['schemas']['Absolutes'];
 export type Agreement = components['schemas']['Agreement'];
 export type AttributionAnswer = components['schemas']['AttributionAnswer'];
 export type AxlesAnswer = components['schemas']['AxlesAnswer'];
+export type BackendPaperModelsTableAnswer = components['schemas']['backend__paper__models__TableAnswer'];
+export type BackendTableModelsTableAnswer = components['schemas']['backend__table_models__TableAnswer'];
 export type Band = components['schemas']['Band'];
 export type Bands = components['schemas']['Bands'];
 export type Batch = components['schemas']['Batch'];
@@ -1883,6 +1936,7 @@ export type CreatedRoad = components['schemas']['CreatedRoad'];
 export type CreatedRoadsRun = components['schemas']['CreatedRoadsRun'];
 export type CreatedRun = components['schemas']['CreatedRun'];
 export type DataSheet = components['schemas']['DataSheet'];
+export type DescribedTable = components['schemas']['DescribedTable'];
 export type Deviation = components['schemas']['Deviation'];
 export type Deviations = components['schemas']['Deviations'];
 export type Distance = components['schemas']['Distance'];
@@ -1992,7 +2046,10 @@ export type StrategyResult = components['schemas']['StrategyResult'];
 export type StrategySummary = components['schemas']['StrategySummary'];
 export type Surface = components['schemas']['Surface'];
 export type Sweep = components['schemas']['Sweep'];
-export type TableAnswer = components['schemas']['TableAnswer'];
+export type TableClock = components['schemas']['TableClock'];
+export type TableColumn = components['schemas']['TableColumn'];
+export type TableCurve = components['schemas']['TableCurve'];
+export type TableQuestion = components['schemas']['TableQuestion'];
 export type Trial = components['schemas']['Trial'];
 export type TrialCounts = components['schemas']['TrialCounts'];
 export type Trials = components['schemas']['Trials'];
@@ -2581,6 +2638,8 @@ export interface operations {
         readonly parameters: {
             readonly query?: {
                 readonly columns?: string | null;
+                readonly dry_run?: boolean;
+                readonly table?: string | null;
             };
         };
         readonly requestBody: {
@@ -2589,6 +2648,11 @@ export interface operations {
             };
         };
         readonly responses: {
+            readonly 200: {
+                content: {
+                    readonly "application/json": components["schemas"]["DescribedTable"];
+                };
+            };
             readonly 201: {
                 content: {
                     readonly "application/json": components["schemas"]["CreatedRecording"];
@@ -2644,8 +2708,10 @@ export interface operations {
     readonly createRoad: {
         readonly parameters: {
             readonly query?: {
+                readonly dry_run?: boolean;
                 readonly left?: number | null;
                 readonly right?: number | null;
+                readonly table?: string | null;
             };
         };
         readonly requestBody: {
@@ -2655,6 +2721,11 @@ export interface operations {
             };
         };
         readonly responses: {
+            readonly 200: {
+                content: {
+                    readonly "application/json": components["schemas"]["DescribedTable"];
+                };
+            };
             readonly 201: {
                 content: {
                     readonly "application/json": components["schemas"]["CreatedRoad"];

@@ -38,7 +38,7 @@ describe("a number as people write it", () => {
 
   it.each([
     ["12 kg", "cm", "Takes cm (also without a unit), m, mm, km, in, ft or µm"],
-    ["3 furlongs", "km/h", "Takes km/h (also without a unit), m/s, mph, cm/s or mm/s"],
+    ["3 furlongs", "km/h", "Takes km/h (also without a unit), m/s, mph, ft/s, kn, cm/s or mm/s"],
     ["2 m", "1", "Takes a number without a unit, or %"],
     ["2 m", "1/N^2", "Takes 1/N² (also without a unit)"],
     ["5,000", "N", "Enter a number, e.g. 12 N; no commas for thousands"],

@@ -34,7 +34,7 @@ export function OpenFiles({ children, name, wanted, size = "compact-xs" }: Props
     <FileButton
       multiple
       resetRef={reset}
-      accept=".json,.csv,.txt,.crg,.dat,.asc,.tsv,application/json,text/csv"
+      accept=".json,.csv,.txt,.crg,.dat,.asc,.tsv,.erd,.vbo,.xlsx,application/json,text/csv"
       inputProps={{ "aria-label": name }}
       onChange={choose}
     >

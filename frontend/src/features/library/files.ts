@@ -1,6 +1,6 @@
 /** What a file holds, seen from its content, and what an item is exported as. */
 
-import type { JsonObject } from "../../api/types";
+import type { DescribedTable, JsonObject } from "../../api/types";
 import { requirementsIn } from "../../lab/requirements";
 import { getAt } from "../../scenario/path";
 import type { ScenarioSchema } from "../../scenario/schema";
@@ -14,20 +14,19 @@ export type Content =
       readonly label: string | null;
       /** Its measured road as CSV. */ readonly road: string | null;
     }
-  | { readonly kind: "vehicle" | "requirements"; readonly value: JsonObject; readonly label: string | null }
-  | { readonly kind: "road"; readonly csv: string };
+  | { readonly kind: "vehicle" | "requirements"; readonly value: JsonObject; readonly label: string | null };
 
-/** A table of a road or a drive whose columns have to be asked for. */
+/** A table of a road or a drive that has to be asked about, or shown before it is taken. */
 export interface UnclearTable {
   readonly name: string;
-  readonly text: string;
-  readonly likely: "road" | "drive";
+  readonly file: File;
+  readonly described: DescribedTable;
 }
 
 /** A grid of heights, on which the wheels' places have to be asked for. */
 interface UnclearGrid {
   readonly name: string;
-  readonly file: File;
+  readonly grid: File;
 }
 
 export type Unclear = UnclearTable | UnclearGrid;
@@ -41,6 +40,8 @@ export interface Wheels {
 export interface OpenOptions {
   /** The part to take from a file that has more. */
   readonly wanted?: ItemKind | undefined;
+  /** What is said of a table; asked for where it is left out and the table is not clear. */
+  readonly table?: string | undefined;
   /** On grids; asked for where they are left out. */
   readonly wheels?: Wheels | undefined;
   /** Whether they go into the library; they do where it is left out. */
@@ -54,18 +55,18 @@ const isObject = (value: unknown): value is JsonObject =>
 const text = (value: unknown) => (typeof value === "string" ? value : null);
 
 const EXPECTED =
-  "Expected a scenario, a vehicle or requirements as JSON, or a measured road or a recorded drive as CSV with a line of titles";
+  "Expected a scenario, a vehicle or requirements as JSON, or a measured road or a recorded drive as a table";
+
+/** An OpenCRG file: its values begin behind a line of dollars. */
+export const isOpenCrg = (text: string): boolean => /^\$\$\$\$/m.test(text);
+
+export const isJson = (name: string, text: string): boolean => /\.json$/i.test(name) || /^\s*[[{]/.test(text);
 
 /**
- * What a file holds. A run holds its scenario.
+ * What a file of JSON holds. A run holds its scenario.
  * @throws {Error} Its message says what was expected; the values are for the server to check.
  */
-export function readFile(name: string, content: string, form: ScenarioSchema): Content {
-  if (!/\.json$/i.test(name) && !/^\s*[[{]/.test(content)) {
-    const [titles = "", first = ""] = content.split("\n").filter((line) => !/^\s*(#|$)/.test(line));
-    if (/[,;\t[]/.test(titles) && /^\s*["'+-]?[\d.,]/.test(first)) return { kind: "road", csv: content };
-    throw new Error(EXPECTED);
-  }
+export function readFile(content: string, form: ScenarioSchema): Content {
   const whole = parsed(content);
   const requirements = requirementsIn(isObject(whole) ? whole.requirements : whole);
   if (requirements.length > 0)

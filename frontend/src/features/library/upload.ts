@@ -4,7 +4,7 @@ import type { QueryClient } from "@tanstack/react-query";
 import { api } from "../../api/client";
 import { ask, askFile } from "../../api/http";
 import { ApiProblem, type FieldError, messageOf } from "../../api/problem";
-import type { CreatedRoad, JsonObject, JsonValue, Scenario } from "../../api/types";
+import type { CreatedRoad, DescribedTable, JsonObject, JsonValue, Scenario } from "../../api/types";
 import { completed, namedLeaves, type Leaf } from "../../scenario/differences";
 import { sameValue, setAt, getAt, type Pointer } from "../../scenario/path";
 import { type ScenarioSchema, findMember, optionTitle, type NumberField } from "../../scenario/schema";
@@ -15,6 +15,8 @@ import {
   readFile,
   type Content,
   fileOf,
+  isJson,
+  isOpenCrg,
   roadOf,
   type Exported,
   type OpenOptions,
@@ -24,7 +26,6 @@ import {
 import { KINDS, kindWord, type Item, type ItemKind, ownLibrary } from "../../scenario/library";
 import { withItem } from "../../scenario/withItem";
 import { limitText, valueText } from "../../scenario/limits";
-import { isOpenCrg, likelyKind } from "./columns";
 import { download } from "../../lib/download";
 
 interface Opened extends Pick<Item, "kind" | "value" | "name"> {
@@ -44,9 +45,8 @@ export interface Outcome {
   readonly asked: readonly Unclear[];
 }
 
-const MEBIBYTE = 1024 * 1024;
-/** A scenario's file has its road inside. */
-const [LONGEST, LONGEST_ROAD, LONGEST_GRID] = [6 * MEBIBYTE, 4 * MEBIBYTE, 16 * MEBIBYTE];
+/** What of a file is looked at to see what it is [characters]. */
+const HEAD = 1_000_000;
 const OPENCRG = "application/x-opencrg";
 /** In a file of ours, which has the heights of its road alone. */
 const EXPORTED = "# Ridelab road ";
@@ -56,7 +56,7 @@ export async function openAll(
   files: readonly File[],
   newest: () => Scenario,
   queries: QueryClient,
-  { wanted, wheels, inLibrary = true }: OpenOptions,
+  { wanted, wheels, table, inLibrary = true }: OpenOptions,
 ): Promise<Outcome> {
   const [form, presets, vehicles] = await Promise.all([
     queries.query({ ...schemaQuery, staleTime: "static" }),
@@ -72,15 +72,17 @@ export async function openAll(
   const asked: Unclear[] = [];
   for (const file of files) {
     try {
-      if (file.size > LONGEST_GRID) throw new Error("A file may have 16 MiB");
-      const text = await file.text();
-      const likely = likelyKind(file.name, text);
-      if (isOpenCrg(text)) {
-        if (wheels || text.includes(EXPORTED)) opened.push(await uploadGrid(file, wheels));
-        else asked.push({ name: file.name, file });
-      } else if (file.size > LONGEST) throw new Error("A file may have 6 MiB");
-      else if (likely !== null) asked.push({ name: file.name, text, likely });
-      else opened.push(await upload(file.name, text, form, wanted));
+      const head = await file.slice(0, HEAD).text();
+      if (isOpenCrg(head)) {
+        if (wheels || head.includes(EXPORTED)) opened.push(await uploadGrid(file, wheels));
+        else asked.push({ name: file.name, grid: file });
+      } else if (isJson(file.name, head)) opened.push(await upload(file.name, await file.text(), form, wanted));
+      else if (table !== undefined) opened.push(roadItem(stemOf(file.name), await uploadRoad(file, table)));
+      else {
+        const described = await describe(file);
+        if (isClear(described)) opened.push(roadItem(stemOf(file.name), await uploadRoad(file)));
+        else asked.push({ name: file.name, file, described });
+      }
     } catch (error) {
       wrong.push(`${file.name}: ${messageOf(error)}`);
     }
@@ -104,9 +106,8 @@ export async function openAll(
 
 /** The content of a file as the server understands it: complete, in SI units, and within every limit. */
 async function upload(name: string, text: string, form: ScenarioSchema, wanted: ItemKind | undefined): Promise<Opened> {
-  const content = readFile(name, text, form);
+  const content = readFile(text, form);
   const stem = stemOf(name);
-  if (content.kind === "road") return roadItem(stem, await uploadRoad(content.csv));
   if (wanted === "vehicle" && content.kind === "scenario" && !("vehicle" in content.value))
     throw new Error("This file has no vehicle");
   if (content.kind === "requirements") return { ...content, name: content.label ?? stem, warnings: [] };
@@ -133,15 +134,27 @@ async function uploadGrid(file: File, wheels: Wheels | undefined): Promise<Opene
   return roadItem(stemOf(file.name), await ask("post", "/roads", { body, query: { ...wheels } }));
 }
 
-async function uploadRoad(csv: string) {
-  if (new Blob([csv]).size > LONGEST_ROAD) throw new Error("The file of a measured road may have 4 MiB");
-  return ask("post", "/roads", { body: csv });
-}
+const asTable = (file: Blob | string) => new Blob([file], { type: "text/csv" }) as unknown as string;
 
-type Checked = Exclude<Content, { readonly kind: "road" }>;
+const uploadRoad = (file: Blob | string, table?: string) =>
+  ask("post", "/roads", { body: asTable(file), query: { table: table ?? null } });
+
+/** How the server reads a table, with what is said of it. */
+export const describe = (file: File, table?: string): Promise<DescribedTable> =>
+  ask("post", "/roads", { body: asTable(file), query: { dry_run: true, table: table ?? null } });
+
+/** Sends a recorded drive. */
+export const uploadDrive = (file: File, table: string) =>
+  ask("post", "/recordings", { body: asTable(file), query: { table } });
+
+/** A road that says itself what it is needs nobody to look at it. */
+const isClear = ({ table: { kind, questions, columns } }: DescribedTable) =>
+  kind === "road" &&
+  questions.length === 0 &&
+  columns.every(({ means, unit, title }) => means !== null && title.includes(unit));
 
 async function checked(
-  content: Checked,
+  content: Content,
   form: ScenarioSchema,
 ): Promise<{ readonly scenario: Scenario; readonly warnings: readonly string[] }> {
   const road = content.kind === "scenario" && content.road !== null ? await uploadRoad(content.road) : null;

@@ -1,0 +1,1 @@
+"""Tables of roads and drives as engineers have them: read from text, spreadsheets and loggers' files."""

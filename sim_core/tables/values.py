@@ -1,0 +1,122 @@
+"""The numbers of the columns that are read, from the first row to the last."""
+
+from array import array
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.tables import text as texts
+from sim_core.tables.columns import CLOCK_UNIT, DIGITS_UNIT, Column
+from sim_core.tables.errors import TableError
+from sim_core.tables.layout import Layout, values_share
+from sim_core.tables.text import CLOCK, is_missing, number
+from sim_core.tables.titles import MEANINGS
+from sim_core.units import factor
+
+ReadCell = Callable[[str], float]
+
+MAX_NUMBER = 1e21  # in any unit
+_HALF_A_DAY = 43_200.0  # [s]
+
+
+@dataclass(slots=True, kw_only=True)
+class Values:
+    """Columns by meaning (rows,) in SI units, NaN where a cell is empty, and the line of each row."""
+
+    lines: Sequence[int]
+    signals: dict[str, FloatArray]
+    notes: list[str] = field(default_factory=list)
+
+
+def read(text: str, layout: Layout, decimal: str, columns: Sequence[Column]) -> Values:
+    """Return the values of the columns that mean something.
+
+    Raises:
+        TableError: A line between others has no values, or a cell is no number.
+    """
+    used = [each for each in columns if each.means is not None]
+    clocks = {CLOCK_UNIT: _clock_time, DIGITS_UNIT: _clock_digits}
+    read_cell = [clocks.get(each.unit) or _number(decimal) for each in used]
+    stored = [array("d") for _ in used]
+    lines = array("l")
+    last = max(each.index for each in used)
+    foreign: list[int] = []
+    for line, cells in texts.rows(text, layout.separator, layout.first_row):
+        if not any(cells) or texts.is_comment(cells):
+            continue
+        count = len(cells) if cells[-1] else len([cell for cell in cells if cell])
+        if values_share(cells) == 0 or not last < len(cells) or count > len(layout.titles):
+            foreign.append(line)
+            continue
+        if foreign:
+            raise TableError("This line, with values behind it, is not like the others", foreign[0])
+        row = []
+        for column, reading in zip(used, read_cell, strict=True):
+            try:
+                row.append(reading(cells[column.index]))
+            except ValueError:
+                raise TableError(f"A value of “{column.title}” is not a number", line) from None
+        lines.append(line)
+        for numbers, value in zip(stored, row, strict=True):
+            numbers.append(value)
+    notes = [f"Left out: {len(foreign)} lines behind the values, from line {foreign[0]} on"] if foreign else []
+    signals = {str(each.means): np.array(column) for each, column in zip(used, stored, strict=True)}
+    return Values(lines=lines, signals=_in_si(signals, used, lines), notes=notes)
+
+
+def _number(decimal: str) -> ReadCell:
+    def read_number(cell: str) -> float:
+        if is_missing(cell):
+            return np.nan
+        try:
+            if decimal == "." and "_" not in cell:
+                return float(cell)
+        except ValueError:
+            pass
+        value = number(cell, decimal)
+        if value is None:
+            raise ValueError
+        return value
+
+    return read_number
+
+
+def _clock_time(cell: str) -> float:
+    """Return the seconds since midnight of a clock's time."""
+    if is_missing(cell):
+        return np.nan
+    match = CLOCK.search(cell)
+    if match is None:
+        raise ValueError
+    hours, minutes, seconds, half = match.groups()
+    hour = int(hours or 0) % 12 + (12 if half in ("P", "p") else 0) if half else int(hours or 0)
+    return 3600.0 * hour + 60 * int(minutes) + float(seconds.replace(",", ".").replace(":", "."))
+
+
+def _clock_digits(cell: str) -> float:
+    """Return the seconds since midnight of 100000.50, half a second after ten."""
+    value = float(cell)
+    hours, rest = divmod(value, 10_000)
+    minutes, seconds = divmod(rest, 100)
+    return 3600 * hours + 60 * minutes + seconds
+
+
+def _in_si(signals: Mapping[str, FloatArray], used: Sequence[Column], lines: Sequence[int]) -> dict[str, FloatArray]:
+    converted = {}
+    for column in used:
+        means = str(column.means)
+        values = signals[means]
+        if (beyond := ~(np.abs(np.nan_to_num(values)) <= MAX_NUMBER)).any():
+            raise TableError(f"A value of “{column.title}” is beyond any measurement", lines[int(beyond.argmax())])
+        if column.unit in (CLOCK_UNIT, DIGITS_UNIT):
+            jumps = np.round(np.diff(values, prepend=values[:1]) / (2 * _HALF_A_DAY))  # midnight, once or more
+            converted[means] = values - 2 * _HALF_A_DAY * np.cumsum(np.nan_to_num(jumps))
+            continue
+        kind = next(each for each in MEANINGS.values() if means in each)
+        size = factor(column.unit, kind[means])
+        converted[means] = (values - values[0] if size < 1e-3 and means == "time" else values) * size
+        if column.direction == "down":
+            converted[means] = -converted[means]
+    return converted
