@@ -26,7 +26,6 @@ from ridelab.client import Ridelab
 from ridelab.errors import JobEndedError, RidelabAPIError, RidelabConnectionError
 from ridelab.jobs import Batch
 from tests.api.conftest import Service
-from tests.api.own_laws import LAW
 from tests.client.cli import Cli, command, environment
 from tests.servers.process import HANG_TIMEOUT, request, wait_until
 
@@ -69,20 +68,12 @@ def private_services(among: Iterable[psutil.Process] | None = None) -> list[int]
 
 
 @pytest.mark.usefixtures("no_service_left")
-def test_fields_of_a_law_of_ones_own_are_listed(alone: Cli, elsewhere: Path) -> None:
-    file = elsewhere / "law.py"
-    file.write_text(LAW)
-    listed = json.loads(alone("fields", "own.mine.damping", "--controller", file, "--json"))
-    assert [each["name"] for each in listed] == ["own.mine.damping"]
-
-
-@pytest.mark.usefixtures("no_service_left")
 def test_without_a_server_a_private_one_works_until_ctrl_c_and_keeps_what_it_stored(elsewhere: Path) -> None:
     log = elsewhere / "out"
     with log.open("wb") as out:
         arguments = command("open", "bump_only", "--strategy", "passive", "--print")
         process = subprocess.Popen(arguments, cwd=elsewhere, env=environment(), stdout=out, stderr=out)
-    said(process, log, "Serving until Ctrl-C")
+    wait_until(lambda: "Serving until Ctrl-C" in log.read_text() or process.poll() is not None, "it serves")
     address = log.read_text().splitlines()[0]
     assert request("GET", address).status_code in (200, 503)  # 503 where the dashboard is not built
     stored = request("GET", address.replace("/r/", "/api/v1/runs/")).json()
@@ -93,46 +84,34 @@ def test_without_a_server_a_private_one_works_until_ctrl_c_and_keeps_what_it_sto
         assert database.execute("SELECT id FROM runs").fetchall() == [(stored["id"],)]
 
 
-def said(process: subprocess.Popen[bytes], log: Path, pattern: str) -> re.Match[str]:
-    """Wait for the process to say it."""
-
-    def search() -> re.Match[str] | None:
-        assert process.poll() is None, log.read_text()
-        return re.search(pattern, log.read_text())
-
-    wait_until(search, f"it says {pattern}")
-    match = search()
-    assert match is not None
-    return match
-
-
 def test_a_private_service_that_does_not_start_says_why(alone: Cli) -> None:
     assert alone("run", "--data-dir", "/dev/null/data", code=3) == ""
     assert alone.error.startswith("Ridelab does not start: ")
     assert "Traceback" not in alone.error
 
 
-def test_the_log_of_a_private_service_that_fails_stays(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize(
+    ("error", "stays"),
+    [
+        (RidelabAPIError(422, "Something is wrong"), False),
+        (JobEndedError("The batch 1 was cancelled"), False),
+        (RidelabAPIError(500, "Something went wrong"), True),
+        (RidelabConnectionError("No service answers there"), True),
+        (JobEndedError("The tuning 1 failed: it is in the service's log"), True),
+    ],
+)
+def test_the_log_of_a_private_service_stays_where_the_service_failed(
+    error: Exception, stays: bool, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     serves = "import sys; print('Ridelab is at http://127.0.0.1:9', flush=True); sys.stdin.read()"
     monkeypatch.setattr(service, "server_command", lambda *_, **__: [sys.executable, "-c", serves])
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
-    silent = [RidelabAPIError(422, "Something is wrong"), JobEndedError("The batch 1 was cancelled")]
-    logged = [
-        RidelabAPIError(500, "Something went wrong"),
-        RidelabConnectionError("No service answers there"),
-        JobEndedError("The tuning 1 failed: it is in the service's log"),
-    ]
-    for error in (*silent, *logged):
-        with pytest.raises(type(error)), service.private(None):
-            raise error
-        logs = list(tmp_path.iterdir())
-        assert [log.read_text() for log in logs] == ["Ridelab is at http://127.0.0.1:9\n"] * (error in logged)
-        said = capsys.readouterr().err
-        for log in logs:
-            assert str(log) in said
-            log.unlink()
+    with pytest.raises(type(error)), service.private(None):
+        raise error
+    logs = list(tmp_path.iterdir())
+    assert [log.read_text() for log in logs] == ["Ridelab is at http://127.0.0.1:9\n"] * stays
+    said = capsys.readouterr().err
+    assert all(str(log) in said for log in logs)
 
 
 def stopped(client: httpx.Client, how: signal.Signals, seeds: str, folder: Path, *more: str) -> tuple[str, int, str]:
@@ -197,11 +176,9 @@ def test_sigterm_names_the_batch_and_leaves_it_alone(client: httpx.Client, tmp_p
 
 @pytest.mark.usefixtures("no_service_left")
 def test_ctrl_c_on_an_export_leaves_the_batch_alone(service: Service, tmp_path: Path) -> None:
-    client = service
     body = {"scenario": LONG, "strategies": ["lv"], "sweep": {"grid": {"road.seed": list(range(200, 277))}}}
-    client.post("/api/v1/batches", json=body).raise_for_status()
-    batch_id = running_batch(client, 77)
-    server, out = str(client.base_url).rstrip("/"), tmp_path / "rows.csv"
+    batch_id = service.post("/api/v1/batches", json=body).raise_for_status().json()["id"]
+    server, out = str(service.base_url).rstrip("/"), tmp_path / "rows.csv"
     arguments = command("export", batch_id, "--wait", "--out", str(out), "--server", server)
     process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
     wait_until(lambda: service.services.gate.load["streams"] == 1, "it waits for the batch")
@@ -211,9 +188,7 @@ def test_ctrl_c_on_an_export_leaves_the_batch_alone(service: Service, tmp_path: 
     assert said.startswith(f"Stopped waiting; the batch {batch_id} goes on.")
     assert f"ridelab export {batch_id}" in said
     assert not out.exists()
-    assert client.post(f"/api/v1/batches/{batch_id}/cancel").json()["done"] < 77
-    events = client.get(f"/api/v1/batches/{batch_id}/events").text
-    assert events.count('"cancelled"') == 1, "by this test alone"
+    assert service.post(f"/api/v1/batches/{batch_id}/cancel").json()["done"] < 77
 
 
 @pytest.mark.usefixtures("no_service_left")

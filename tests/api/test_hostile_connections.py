@@ -1,49 +1,27 @@
 """Clients that are slow, greedy or do not speak HTTP: each is answered or cut off, and the others are served on."""
 
 import contextlib
-import copy
 import json
 import select
 import socket
 import sys
-import threading
-from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import httpx
 import pytest
-import uvicorn
-from fastapi import FastAPI
-from starlette.datastructures import State
+from fastapi import FastAPI, Request
 
 from backend.http import middleware
 from backend.http.middleware import HEADERS
 from backend.http.server import server_config
+from backend.settings import Settings
+from tests.servers.loops import ask
 from tests.servers.process import HANG_TIMEOUT, Api, request
+from tests.there import there
 
 Address = tuple[str, int]
 POST = b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
-
-
-@contextlib.contextmanager
-def second_server(app: FastAPI, **settings: Any) -> Iterator[Address]:
-    """Serve the application once more, with other settings, at the address that this yields."""
-    changed = app.state.services.settings.model_copy(update=settings)
-    same = copy.copy(app)
-    same.state = State({"services": replace(app.state.services, settings=changed)})
-    config = server_config(same, changed)
-    config.lifespan = "off"
-    server = uvicorn.Server(config)
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-        thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]})
-        thread.start()
-        try:
-            yield listener.getsockname()
-        finally:
-            server.should_exit = True
-            thread.join()
 
 
 @pytest.fixture
@@ -196,28 +174,19 @@ def test_no_answer_depends_on_the_host_or_repeats_it(address: Address) -> None:
             assert b"evil" not in answer
 
 
-def test_a_forwarded_address_counts_only_from_a_known_proxy(service: Any) -> None:
-    answers: list[str] = []
-    original = service.services.gate.computing
+@pytest.mark.parametrize(
+    ("proxies", "client"), [("", "127.0.0.1"), ("10.0.0.0/8", "127.0.0.1"), ("127.0.0.1", "203.0.113.7")]
+)
+def test_a_forwarded_address_counts_only_from_a_known_proxy(proxies: str, client: str) -> None:
+    app = FastAPI()
 
-    def spy(client: str, *rest: Any) -> Any:
-        answers.append(client)
-        return original(client, *rest)
+    @app.get("/")
+    def host(request: Request) -> str:
+        return there(request.client).host
 
-    service.services.gate.computing = spy
-    try:
-        for seed, proxies in enumerate(("", "10.0.0.0/8", "127.0.0.1")):
-            with second_server(service.app, forwarded_allow_ips=proxies) as address:
-                response = request(
-                    "POST",
-                    f"http://127.0.0.1:{address[1]}/api/v1/live",
-                    json={"strategies": ["passive"], "scenario": {"road": {"length": 138.3, "seed": seed}}},
-                    headers={"X-Forwarded-For": "203.0.113.7"},
-                )
-                assert response.status_code == 200, response.text
-    finally:
-        service.services.gate.computing = original
-    assert answers == ["127.0.0.1", "127.0.0.1", "203.0.113.7"]
+    config = server_config(app, Settings(forwarded_allow_ips=proxies))
+    config.load()
+    assert ask(config.loaded_app, "GET", "/", headers={"X-Forwarded-For": "203.0.113.7"}).json() == client
 
 
 class Limited(Api):

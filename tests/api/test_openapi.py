@@ -14,6 +14,7 @@ from typing import Any
 
 import httpx
 import pytest
+from fastapi import FastAPI
 
 from backend import app
 from backend.http.openapi import FIELDS, FIELDS_OF_MODELS
@@ -25,7 +26,7 @@ from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.data_sheet import DataSheet
 from sim_core.scenario.presets import PRESETS
 from sim_core.strategies import STRATEGIES, reads
-from tests.servers import loops
+from tests.servers.loops import ask
 from tests.servers.process import HANG_TIMEOUT
 
 ROOT = Path(__file__).parents[2]
@@ -38,90 +39,78 @@ def description(client: httpx.Client) -> Any:
     return response.json()
 
 
-def test_operations_have_names_of_their_own(description: dict[str, Any]) -> None:
-    """Programs that others generate call them so; which addresses there are docs/reference/api.md says."""
-    assert description["openapi"].startswith("3.1")
-    operations = [each for methods in description["paths"].values() for each in methods.values()]
-    names = [operation["operationId"] for operation in operations]
-    assert len(set(names)) == len(names)
-    assert all(re.fullmatch("[a-z]+[A-Za-z]*", name) for name in names)
-    assert all(operation["description"] for operation in operations)
+@pytest.fixture(scope="module")
+def operations(description: dict[str, Any]) -> list[tuple[str, str, Any]]:
+    """Each method and address with what is described of it."""
+    return [(method, path, each) for path, methods in description["paths"].items() for method, each in methods.items()]
 
 
-def test_every_address_is_documented_with_its_parameters(description: dict[str, Any]) -> None:
-    rows = re.findall(
-        r"^\| `([A-Z]+ /[^`]*)` \|([^|]*)\| [^|]+ \|$", (ROOT / "docs/reference/api.md").read_text(), re.MULTILINE
-    )
-    assert {address: re.findall("`([^`]+)`", names) for address, names in rows} == {
-        f"{method.upper()} {path}": [item["name"] for item in operation.get("parameters", []) if item["in"] == "query"]
-        for path, methods in description["paths"].items()
-        for method, operation in methods.items()
-    }
-
-
-def test_every_body_has_an_example_that_is_taken(
-    client: httpx.Client, description: dict[str, Any], run: dict[str, Any]
+def test_names_and_titles_are_unique_and_everything_is_described(
+    description: dict[str, Any], operations: list[tuple[str, str, Any]]
 ) -> None:
-    bodies = {
-        path: operation["requestBody"]["content"]["application/json"]["schema"]["$ref"].rpartition("/")[2]
-        for path, operations in description["paths"].items()
-        for operation in operations.values()
-        if "application/json" in operation.get("requestBody", {}).get("content", {})
-    }
-    assert len(bodies) > 7
-    for path, name in bodies.items():
-        (example,) = description["components"]["schemas"][name]["examples"]
-        if name in ("BatchRequest", "TuningRequest"):
-            example = {**example, "dry_run": True}
-        elif name == "LinkRequest":
-            example = {**example, "run_id": run["id"]}
-        untried = ("/api/v1/login", "/api/v1/controller/report")  # takes 10 s
-        if path not in untried and name != "LabelRequest":  # of a job, which tests/api/test_batches.py has
-            assert client.post(path, json=example).is_success, path
-
-
-def test_headers_tags_links_and_names_are_described(description: dict[str, Any]) -> None:
-    operations = {each["operationId"]: each for methods in description["paths"].values() for each in methods.values()}
-    assert {name for each in operations.values() for name in each["tags"]} == {
-        tag["name"] for tag in description["tags"] if tag["description"]
-    }
-    for operation in operations.values():
-        for status, answer in operation["responses"].items():
-            assert "X-Request-ID" in answer["headers"]
-            assert ("Retry-After" in answer["headers"]) is (status in ("429", "503"))
-            assert answer["description"] not in ("", "Successful Response")
-        for link in (link for answer in operation["responses"].values() for link in answer.get("links", {}).values()):
-            parameters = {parameter["name"] for parameter in operations[link["operationId"]]["parameters"]}
-            assert set(link["parameters"]) <= parameters
-    assert all(header["description"] for header in description["components"]["headers"].values())
+    """Generators name functions and types by them, and put descriptions beside each field."""
+    assert description["openapi"].startswith("3.1")
     schemas = description["components"]["schemas"]
-    for name in ("Batch", "Tuning", "TuningItem"):
-        assert "queued" in schemas[name]["properties"]["state"]["enum"]
-    assert schemas["BatchRow"]["properties"]["strategy"]["pattern"] == ID
-    assert all(parameter["description"] for each in operations.values() for parameter in each.get("parameters", ()))
-
-
-def test_schemas_have_titles_of_their_own_and_every_field_is_described(description: dict[str, Any]) -> None:
-    """Generators name types by titles, and put descriptions beside each field."""
-    schemas = description["components"]["schemas"]
-    titles = [schema["title"] for schema in schemas.values()]
-    assert len(set(titles)) == len(titles)
     fields = {
         f"{name}.{field}": each
         for name, schema in schemas.items()
         for field, each in schema.get("properties", {}).items()
     }
-    assert [name for name, each in fields.items() if not each.get("description")] == []
+    for names in ([each["operationId"] for *_, each in operations], [each["title"] for each in schemas.values()]):
+        assert len(set(names)) == len(names)
+    assert all(re.fullmatch("[a-z]+[A-Za-z]*", each["operationId"]) for *_, each in operations)
+    parameters = [parameter for *_, each in operations for parameter in each.get("parameters", ())]
+    answers = [answer for *_, each in operations for answer in each["responses"].values()]
+    described = [*fields.values(), *(each for *_, each in operations), *parameters, *answers, *description["tags"]]
+    described += description["components"]["headers"].values()
+    assert [each for each in described if each.get("description", "") in ("", "Successful Response")] == []
     unused = {field for field in FIELDS if not any(each["description"] == FIELDS[field] for each in fields.values())}
     assert unused | (FIELDS_OF_MODELS.keys() - fields.keys()) == set()
+    assert {name for *_, each in operations for name in each["tags"]} == {each["name"] for each in description["tags"]}
+    for name in ("Batch", "Tuning", "TuningItem"):
+        assert "queued" in schemas[name]["properties"]["state"]["enum"]
+    assert schemas["BatchRow"]["properties"]["strategy"]["pattern"] == ID
 
 
-def test_what_no_id_names_is_not_found(client: httpx.Client, description: dict[str, Any]) -> None:
-    for path, operations in description["paths"].items():
+def test_answers_say_their_headers_and_what_can_be_asked_next(operations: list[tuple[str, str, Any]]) -> None:
+    parameters = {each["operationId"]: {item["name"] for item in each.get("parameters", ())} for *_, each in operations}
+    for *_, operation in operations:
+        for status, answer in operation["responses"].items():
+            assert "X-Request-ID" in answer["headers"]
+            assert ("Retry-After" in answer["headers"]) is (status in ("429", "503"))
+            for link in answer.get("links", {}).values():
+                assert set(link["parameters"]) <= parameters[link["operationId"]]
+
+
+def test_every_address_is_documented_with_its_parameters(operations: list[tuple[str, str, Any]]) -> None:
+    page = (ROOT / "docs/reference/api.md").read_text()
+    rows = re.findall(r"^\| `([A-Z]+ /[^`]*)` \|([^|]*)\| [^|]+ \|$", page, re.MULTILINE)
+    assert {address: re.findall("`([^`]+)`", names) for address, names in rows} == {
+        f"{method.upper()} {path}": [item["name"] for item in each.get("parameters", []) if item["in"] == "query"]
+        for method, path, each in operations
+    }
+
+
+def test_every_body_has_an_example_that_is_taken(
+    client: httpx.Client, description: dict[str, Any], operations: list[tuple[str, str, Any]], run: dict[str, Any]
+) -> None:
+    more = {"BatchRequest": {"dry_run": True}, "TuningRequest": {"dry_run": True}, "LinkRequest": {"run_id": run["id"]}}
+    tried = 0
+    for method, path, operation in operations:
+        content = operation.get("requestBody", {}).get("content", {})
+        if method == "post" and "application/json" in content and path != "/api/v1/login":
+            name = content["application/json"]["schema"]["$ref"].rpartition("/")[2]
+            (example,) = description["components"]["schemas"][name]["examples"]
+            assert client.post(path, json=example | more.get(name, {})).is_success, path
+            tried += 1
+    assert tried > 7
+
+
+def test_what_no_id_names_is_not_found(client: httpx.Client, operations: list[tuple[str, str, Any]]) -> None:
+    for method, path, _ in operations:
         address = re.sub(r"\{(id|slug)\}", "A" * 22, path).replace("{name}", "speed")
-        for method in operations if address != path else ():
-            body = {"label": None} if method == "patch" else None
-            assert client.request(method, address, json=body).status_code == 404, (method, path)
+        body = {"label": None} if method == "patch" else None
+        assert address == path or client.request(method, address, json=body).status_code == 404, (method, path)
 
 
 def test_the_pages_types_are_generated_from_the_description(description: dict[str, Any], tmp_path: Path) -> None:
@@ -152,58 +141,48 @@ def built(tmp_path: Path) -> Path:
     return tmp_path / "dist"
 
 
-def visitor(page: Path) -> httpx.AsyncClient:
-    """Return a client of an application that was not started: pages need neither store nor workers."""
+def site(page: Path) -> FastAPI:
+    """Return an application that was not started: pages need neither store nor workers."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(app, "BUILT_PAGE", page)
-        made = app.create_app(Settings())
-    return httpx.AsyncClient(transport=httpx.ASGITransport(app=made), base_url="http://ridelab")
+        return app.create_app(Settings())
 
 
 def test_the_dashboard_is_served_at_its_addresses(built: Path) -> None:
-    async def visit() -> None:
-        async with visitor(built) as client:
-            for path in ("/", "/r/AAAAAAAAAAAAAAAAAAAAAA", "/b/AAAAAAAAAAAAAAAAAAAAAA"):
-                page = await client.get(path)
-                assert page.status_code == 200
-                assert page.headers["content-type"].startswith("text/html")
-                assert page.headers["cache-control"] == "no-cache"
-                assert "Ridelab" in page.text
-            hashed = await client.get("/assets/index-abc123.js")
-            assert "immutable" in hashed.headers["cache-control"]
-            assert hashed.headers["content-type"].startswith("text/javascript")
-            assert "content-encoding" not in hashed.headers  # none was made
-            (built / "assets/index-abc123.js.br").write_bytes(bytes.fromhex("0b0480657870") + b"ort {}\x03")
-            small = await client.get("/assets/index-abc123.js", headers={"Accept-Encoding": "gzip, br;q=0.9"})
-            assert (small.headers["content-encoding"], small.headers["vary"]) == ("br", "Accept-Encoding")
-            assert small.headers["content-type"].startswith("text/javascript")
-            assert "immutable" in small.headers["cache-control"]
-            for without in ("gzip", "gzip, br;q=0", "br; q=0.000"):
-                plain = await client.get("/assets/index-abc123.js", headers={"Accept-Encoding": without})
-                assert (plain.text, "content-encoding" in plain.headers) == ("export {}", False)
-            assert (await client.get("/assets/index-abc123.js.br")).status_code == 404, "no script"
-            assert (await client.get("/favicon.svg")).headers["content-type"] == "image/svg+xml"
-            assert (await client.get("/docs-assets/swagger-ui-bundle.js")).status_code == 200
-            for path in ("/r/a/b", "/index.htm", "/s", "/b"):
-                assert (await client.get(path)).status_code == 404
+    there = site(built)
+    for path in ("/", "/r/AAAAAAAAAAAAAAAAAAAAAA", "/b/AAAAAAAAAAAAAAAAAAAAAA"):
+        page = ask(there, "GET", path)
+        assert (page.status_code, page.headers["cache-control"], "Ridelab" in page.text) == (200, "no-cache", True)
+        assert page.headers["content-type"].startswith("text/html")
+    for path, kind in (("/favicon.svg", "image/svg+xml"), ("/docs-assets/swagger-ui-bundle.js", "text/javascript")):
+        assert ask(there, "GET", path).headers["content-type"].startswith(kind)
+    for path in ("/r/a/b", "/index.htm", "/s", "/b"):
+        assert ask(there, "GET", path).status_code == 404
 
-    loops.run(visit)
+
+def test_a_script_comes_compressed_where_it_was_and_who_asks_takes_it(built: Path) -> None:
+    there, script = site(built), "/assets/index-abc123.js"
+    assert "content-encoding" not in ask(there, "GET", script).headers  # none was made
+    (built / "assets/index-abc123.js.br").write_bytes(bytes.fromhex("0b0480657870") + b"ort {}\x03")
+    small = ask(there, "GET", script, headers={"Accept-Encoding": "gzip, br;q=0.9"})
+    assert (small.headers["content-encoding"], small.headers["vary"]) == ("br", "Accept-Encoding")
+    assert small.headers["content-type"].startswith("text/javascript")
+    assert "immutable" in small.headers["cache-control"]
+    for without in ("gzip", "gzip, br;q=0", "br; q=0.000"):
+        plain = ask(there, "GET", script, headers={"Accept-Encoding": without})
+        assert (plain.text, "content-encoding" in plain.headers) == ("export {}", False)
+    assert ask(there, "GET", f"{script}.br").status_code == 404, "no script"
 
 
 def test_an_unknown_address_is_a_page_to_a_browser_and_a_problem_to_a_script(built: Path) -> None:
-    async def visit() -> None:
-        browser = {"Accept": "text/html,application/xhtml+xml,*/*;q=0.8"}
-        async with visitor(built.parent / "none") as client:
-            assert (await client.get("/")).status_code == 503, "no dashboard was built"
-        async with visitor(built) as client:
-            page = await client.get("/nowhere", headers=browser)
-            assert (page.status_code, page.headers["content-type"]) == (404, "text/html; charset=utf-8")
-            assert "Ridelab" in page.text
-            for path, accept in (("/nowhere", "*/*"), ("/api/v1/nowhere", browser["Accept"]), ("/assets/x.js", "*/*")):
-                answer = await client.get(path, headers={"Accept": accept})
-                assert (answer.status_code, answer.headers["content-type"]) == (404, "application/problem+json")
-
-    loops.run(visit)
+    browser = "text/html,application/xhtml+xml,*/*;q=0.8"
+    assert ask(site(built.parent / "none"), "GET", "/").status_code == 503, "no dashboard was built"
+    page = ask(site(built), "GET", "/nowhere", headers={"Accept": browser})
+    assert (page.status_code, page.headers["content-type"]) == (404, "text/html; charset=utf-8")
+    assert "Ridelab" in page.text
+    for path, accept in (("/nowhere", "*/*"), ("/api/v1/nowhere", browser), ("/assets/x.js", "*/*")):
+        answer = ask(site(built), "GET", path, headers={"Accept": accept})
+        assert (answer.status_code, answer.headers["content-type"]) == (404, "application/problem+json")
 
 
 def test_the_core_is_described_as_it_is(client: httpx.Client) -> None:

@@ -4,6 +4,7 @@ Nor did hardware in the loop drive the paper's roads there: its eight cells are 
 """
 
 import json
+import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,6 @@ from backend.paper import models
 from backend.store import Store
 from tests.client.cli import Cli
 from tests.html import check, read
-from tests.servers.compilers import Bare
 from tests.servers.process import HANG_TIMEOUT, Api
 from tests.servers.reproduction import store_without_ecu
 
@@ -37,8 +37,11 @@ def bare(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
     store.migrate()
     store_without_ecu(store, REASON)
     store.close()
-    machine = Bare(tmp_path_factory.mktemp("machine")).environment
-    with Api(folder, RIDELAB_WORKERS="1", RIDELAB_BATCH_WORKERS="1", **machine) as api:
+    machine = tmp_path_factory.mktemp("machine")
+    (machine / "sitecustomize.py").write_text('import sys\n\nsys.modules["ziglang"] = None\n')
+    paths = [str(machine), *filter(None, [os.environ.get("PYTHONPATH")])]
+    nothing = {"PATH": str(machine), "PYTHONPATH": os.pathsep.join(paths)}
+    with Api(folder, RIDELAB_WORKERS="1", RIDELAB_BATCH_WORKERS="1", **nothing) as api:
         api.wait_until_ready()
         with httpx.Client(base_url=api.url, timeout=HANG_TIMEOUT) as client:
             yield client
@@ -79,8 +82,6 @@ def test_of_the_paper_the_simulated_cells_stand(bare: httpx.Client, command: Cli
     assert f"8 cells not available here. {REASON}" in lines
     assert lines[-1].startswith(f"{answer['reached']} of 40 cells reached")
 
-
-def test_so_do_they_in_the_report(bare: httpx.Client) -> None:
     page = read(bare.get("/api/v1/paper/report.html").raise_for_status().text)
     check(page)
     assert next(page.all("h1")).text.endswith(" of 40 cells reached, 8 not available here")
