@@ -12,8 +12,7 @@ import numpy as np
 from benchmarks.cortex_m3 import CortexM3, Spent
 from sim_core import Scenario, simulate
 from sim_core.ecu.calibration import Checked
-from sim_core.ecu.interface import Ecu, Frame, Reply
-from sim_core.ecu.program import CompiledEcu
+from sim_core.ecu.program import CompiledEcu, Ecu, Frame, Reply
 from sim_core.strategies.calibration import ecu_calibration
 from sim_core.strategies.lv_hil import LvHil
 

@@ -19,8 +19,7 @@ from sim_core.road.profile import REFERENCE_FREQUENCY
 from sim_core.scenario.recorded import recording_id
 from sim_core.speed.profile import make_speed_profile
 from sim_core.strategies import REFERENCE_STRATEGIES, speed_plan_on, strategy_named
-from sim_core.vehicle.make import is_linear
-from sim_core.vehicle.nonlinear import substeps
+from sim_core.vehicle.make import is_linear, substeps
 
 MAX_REFERENCE_COST = 3.0  # of one drive that a recording is compared with [s of one core]
 # To read a recording of all signals and find its position on roads of these lengths [m] [s of one core].

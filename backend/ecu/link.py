@@ -17,7 +17,7 @@ from backend.command_error import CommandError
 from backend.ecu import tables
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import PREVIEW
-from sim_core.ecu.interface import Ecu, Frame, Reply
+from sim_core.ecu.program import Ecu, Frame, Reply
 from sim_core.vehicle.half_car import STATES
 
 GREETING = b"RIDELAB2"

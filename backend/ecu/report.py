@@ -11,8 +11,7 @@ from backend.ecu.models import ChangesByWindow, ControllerPart, ControllerReport
 from sim_core import Scenario, StrategyResult, simulate
 from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
 from sim_core.ecu.calibration import Calibration, Checked
-from sim_core.ecu.interface import Ecu, Frame, Reply
-from sim_core.ecu.program import CompiledEcu
+from sim_core.ecu.program import CompiledEcu, Ecu, Frame, Reply
 from sim_core.strategies.calibration import ecu_calibration
 from sim_core.strategies.lv_hil import LvHil
 

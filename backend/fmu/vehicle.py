@@ -7,7 +7,7 @@ import numpy as np
 from backend.fmu.controller import state
 from backend.fmu.model import Model, Variable
 from sim_core.scenario import Scenario, Vehicle
-from sim_core.vehicle.nonlinear import curves, substeps
+from sim_core.vehicle.make import curves, substeps
 
 _FINER = 18  # than the steps of our own runs: what Runge-Kutta leaves out is then below 1e-10
 _OUTPUTS = (

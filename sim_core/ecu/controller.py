@@ -22,8 +22,7 @@ from sim_core.control.qp import CENTI
 from sim_core.control.seen import Seen, Setup
 from sim_core.ecu.calibration import Calibration, Checked, calibrate
 from sim_core.ecu.channels import STAGES, Codes, convert, full_scales, highest_code
-from sim_core.ecu.interface import Connect, Frame, Reply
-from sim_core.ecu.program import in_process
+from sim_core.ecu.program import Connect, Frame, Reply, in_process
 from sim_core.scenario import Hil
 from sim_core.vehicle.half_car import DISTURBANCES, STATES, discrete
 

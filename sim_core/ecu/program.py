@@ -1,12 +1,14 @@
-"""The ECU's program in this process: its C (sim_core/ecu/source), compiled into the core's library."""
+"""What the loop needs of an ECU, and its program in this process: C (sim_core/ecu/source) in the core's library."""
 
+from abc import ABC, abstractmethod
+from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass
 
 import numpy as np
 
 from sim_core.ecu.calibration import Calibration
-from sim_core.ecu.channels import PREVIEW, STAGES, highest_code
-from sim_core.ecu.interface import Ecu, Frame, Reply
+from sim_core.ecu.channels import PREVIEW, STAGES, Codes, highest_code
 from sim_core.kernel.library import INT, Array, Function, require
 from sim_core.vehicle.half_car import FORCES, STATES
 
@@ -21,6 +23,49 @@ _ecu_step = Function(
     *(Array(_ANSWER, dtype=np.int32, written=True), Array(1, dtype=np.float32, written=True), INT),
     result=INT,
 )
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Frame:
+    """One control step's measurements: codes (8 + 3 · preview_length,), the stage's number in channels.STAGES."""
+
+    step: int
+    stage: int
+    codes: Codes
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Reply:
+    """The ECU's answer.
+
+    Attributes:
+        commands: Codes of both forces.
+        limited: Whether a limit shaped them.
+        iterations: Of the solver.
+        unfinished: The solver stopped before it was done; the forces are clipped.
+        slack: Largest predicted deflection beyond the limit [cm].
+        operations: Floating-point operations that it took, a multiplication with its addition being one; 0 where they
+            are not counted.
+            are not counted.
+    """
+
+    commands: tuple[int, int]
+    limited: bool
+    iterations: int
+    unfinished: bool
+    slack: float
+    operations: int = 0
+
+
+class Ecu(ABC):
+    """One run's ECU. Its memory, the last command, starts at zero."""
+
+    @abstractmethod
+    def exchange(self, frame: Frame) -> Reply | None:
+        """Answer one frame; None where no answer came in time."""
+
+
+Connect = Callable[[Calibration], AbstractContextManager[Ecu]]
 
 
 def in_process(calibration: Calibration) -> AbstractContextManager[Ecu]:

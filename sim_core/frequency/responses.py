@@ -17,8 +17,7 @@ from sim_core.arrays import FloatArray
 from sim_core.blas import single_threaded
 from sim_core.control.controller import Controller
 from sim_core.errors import RidelabError
-from sim_core.frequency.margins import Margins, margins
-from sim_core.frequency.resolved import divided
+from sim_core.frequency.margins import Margins, divided, margins
 from sim_core.frequency.sampled_loop import (
     ComplexArray,
     NotLinearError,

@@ -33,6 +33,7 @@ class TimeGrid:
         axles: Position of both axles at every fine instant (2, n + 1) [m].
         position: Of the front axle at the control instants that begin a step (steps,) [m].
         speed: Of the car then (steps,) [m/s].
+        braking: Deceleration, held over each fine step (n,) [m/s^2].
         on_record: The fine samples on record, from x = 0 to the road's end.
         series: The record's signals that no road changes (catalogue.SIGNALS).
     """
@@ -43,6 +44,7 @@ class TimeGrid:
     axles: FloatArray
     position: FloatArray
     speed: FloatArray
+    braking: FloatArray
     on_record: slice
     series: dict[str, FloatArray]
 
@@ -63,14 +65,12 @@ class Excitation:
 
     Attributes:
         grid: What follows from the speed profile alone.
-        braking: Deceleration, held over each fine step (n,) [m/s^2].
         surface: The road.
         height: Of the road under both axles at every fine instant (2, n + 1) [m].
         series: The record's signals that no suspension changes (catalogue.SIGNALS).
     """
 
     grid: TimeGrid
-    braking: FloatArray
     surface: RoadProfile
     height: FloatArray
     series: dict[str, FloatArray]
@@ -142,7 +142,6 @@ def excite(road: Road, rear_axle_offset: float, speed_profile: SpeedProfile, ste
     front, rear = height[:, grid.on_record]
     return Excitation(
         grid=grid,
-        braking=_braking(speed_profile, grid, step),
         surface=surface,
         height=height,
         series=grid.series | {"front_road": front, "rear_road": rear},
@@ -182,17 +181,10 @@ def _sampled(speed_profile: SpeedProfile, length: float, rear_axle_offset: float
         axles=np.stack([position, position - rear_axle_offset]),
         position=position[:-1:fine],
         speed=speed[:-1:fine],
+        braking=speed_profile.sample(speed_profile.braking, time[:-1] + h / 2),
         on_record=record,
         series=series,
     )
-
-
-@cached
-def _braking(speed_profile: SpeedProfile, grid: TimeGrid, step: float) -> FloatArray:
-    """Deceleration, held over each fine step (n,) [m/s^2]; apart from the grid, which lives longer."""
-    first, h = -grid.run_in_steps * grid.fine, step / grid.fine
-    begins = h * np.arange(first, first + grid.axles.shape[1] - 1, dtype=np.float64)
-    return speed_profile.sample(speed_profile.braking, begins + h / 2)
 
 
 def _on_record(speed_profile: SpeedProfile, values: FloatArray, time: FloatArray) -> FloatArray:

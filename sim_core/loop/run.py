@@ -163,7 +163,7 @@ class Run:
         mode = self.filter_preview
         seen = None if mode == "none" else self.forecast(mode, 1).disturbances[:2, :, 0].T
         step, speed = self.excitation.grid.step / short, self.speed_profile.initial_speed
-        braking = self.excitation.braking.reshape(-1, self.steps.fine // short)
+        braking = self.excitation.grid.braking.reshape(-1, self.steps.fine // short)
         return make_estimator(scenario, step, speed, braking, short, mode=mode, seen=seen)
 
     def car(self, recorder: Recorder | None = None) -> DrivenCar:
@@ -176,7 +176,7 @@ class Run:
             excitation.grid.fine_step,
             self.steps.fine // self.steps.short,
             excitation.height,
-            excitation.braking,
+            excitation.grid.braking,
             above_chord=None if is_linear(scenario.real_vehicle, dampers) else above_chords(excitation),
             estimator=self.estimator(),
             dampers=dampers,

@@ -139,33 +139,11 @@ def _power(time: FloatArray, table: FloatArray, span: TimeSpan | None) -> tuple[
 
 def _derivative(values: FloatArray, time: FloatArray) -> FloatArray:
     """Return the rate of change (n,), from one side alone at both ends and where two samples stand at one instant."""
-    step = np.diff(time)
-    moves = step > 0
-    slope = np.divide(np.diff(values), step, out=np.zeros_like(step), where=moves)
-    rate: FloatArray = np.append(0.0, slope) + np.append(slope, 0.0)  # where only one of them is there, that one
-    inner = 1 + np.flatnonzero(moves[:-1] & moves[1:])
-    before, after = step[inner - 1], step[inner]
-    rate[inner] = (after * slope[inner - 1] + before * slope[inner]) / (before + after)
-    middle = (time[:-1] + time[1:]) / 2
-    starts = np.flatnonzero(moves & np.append(True, ~moves[:-1]))
-    ends = np.flatnonzero(moves & np.append(~moves[1:], True))
-    for intervals, towards in ((starts, 1), (ends, -1)):
-        far = intervals + 2 * towards
-        intervals = intervals[(far >= 0) & (far < len(step))]
-        near = intervals[:, None] + towards * np.arange(3)
-        near = near[moves[near].all(axis=1)]
-        node = near[:, 0] + (towards < 0)
-        rate[node] = _parabola(middle[near], slope[near], time[node])
+    rate = np.zeros_like(values)
+    for part in np.split(np.arange(len(time)), 1 + np.flatnonzero(np.diff(time) == 0)):
+        if len(part) > 1:
+            rate[part] = np.gradient(values[part], time[part], edge_order=2 if len(part) > 2 else 1)
     return rate
-
-
-def _parabola(x: FloatArray, y: FloatArray, at: FloatArray) -> FloatArray:
-    """Return the parabolas through three points each (n, 3), there (n,)."""
-    total = np.zeros(len(at))
-    for one, two, three in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        share = (at - x[:, two]) * (at - x[:, three]) / ((x[:, one] - x[:, two]) * (x[:, one] - x[:, three]))
-        total += share * y[:, one]
-    return total
 
 
 def _airborne(time: FloatArray, table: FloatArray, span: TimeSpan | None, static: TimeSpan) -> dict[str, float]:

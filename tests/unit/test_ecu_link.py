@@ -15,8 +15,7 @@ from backend.ecu import export, link
 from backend.ecu.link import EcuError, connected
 from backend.ecu.tables import fingerprint
 from sim_core.ecu.calibration import Calibration
-from sim_core.ecu.interface import Frame
-from sim_core.ecu.program import CompiledEcu
+from sim_core.ecu.program import CompiledEcu, Frame
 from sim_core.kernel.build import default_compiler
 from sim_core.scenario import Mpc, Scenario
 from sim_core.strategies.calibration import ecu_calibration

@@ -27,8 +27,7 @@ from sim_core.fmi.instance import Instance
 from sim_core.kernel.build import default_compiler
 from sim_core.simulate import prepare
 from sim_core.strategies.lv_hil import LvHil
-from sim_core.vehicle.make import make_vehicle
-from sim_core.vehicle.nonlinear import substeps
+from sim_core.vehicle.make import make_vehicle, substeps
 from tests.importer import Importer
 from tests.results import event
 
@@ -144,7 +143,7 @@ def test_the_vehicle_drives_like_our_linear_one(tmp_path: Path) -> None:
     loop, grid = run.drive().loop, run.excitation.grid
     importer = Importer(exported(tmp_path, scenario, "2.0", of="vehicle"), tmp_path / "fmu")
     assert (
-        differences_of(importer, loop, run.excitation.height, run.excitation.braking, grid.fine, grid.fine_step)
+        differences_of(importer, loop, run.excitation.height, run.excitation.grid.braking, grid.fine, grid.fine_step)
         < ROUNDING
     )
 
@@ -158,7 +157,7 @@ def test_the_vehicle_drives_like_our_nonlinear_one_in_the_same_steps(tmp_path: P
     run = prepare(scenario, "lqr")
     excitation, grid = run.excitation, run.excitation.grid
     car, actuator = scenario.real_vehicle, scenario.actuator
-    driven = make_vehicle(car, actuator, grid.fine_step, grid.fine, excitation.height, excitation.braking)
+    driven = make_vehicle(car, actuator, grid.fine_step, grid.fine, excitation.height, grid.braking)
     loop = np.zeros((len(grid.position) + 1, 12))
     loop[1:, 10:] = 800 * np.sin(np.arange(len(grid.position)) / 7)[:, None] * (1, -1)
     for k in range(len(grid.position)):
@@ -167,7 +166,7 @@ def test_the_vehicle_drives_like_our_nonlinear_one_in_the_same_steps(tmp_path: P
     importer = Importer(exported(tmp_path, scenario, "3.0", of="vehicle"), tmp_path / "fmu")
     step = grid.fine_step / substeps(car, actuator, None, grid.fine_step)
     fine = differences_of(
-        importer, loop, excitation.height, excitation.braking, grid.fine, grid.fine_step, internal_step=step
+        importer, loop, excitation.height, excitation.grid.braking, grid.fine, grid.fine_step, internal_step=step
     )
     assert fine < ROUNDING
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from sim_core import Actuator, Bump, FloatArray, Hil, Mpc, Road, Scenario, Speed, StrategyResult, simulate
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import convert, highest_code
-from sim_core.ecu.interface import Connect, Ecu, Frame, Reply
+from sim_core.ecu.program import Connect, Ecu, Frame, Reply
 from sim_core.strategies.lv_hil import LvHil
 from tests.results import event
 

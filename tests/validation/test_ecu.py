@@ -13,8 +13,7 @@ from sim_core.control.cost import KILO
 from sim_core.control.qp import Qps
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import STAGES, highest_code
-from sim_core.ecu.interface import Ecu, Frame, Reply
-from sim_core.ecu.program import in_process
+from sim_core.ecu.program import Ecu, Frame, Reply, in_process
 from sim_core.simulate import prepare, simulate
 from sim_core.strategies.calibration import ecu_calibration
 from sim_core.strategies.lv_hil import LvHil

@@ -122,7 +122,7 @@ def driven(scenario: Scenario, strategy: str) -> tuple[Run, Trajectory]:
 def predicted(run: Run, trajectory: Trajectory) -> FloatArray:
     """By the textbook: x̂⁻ = A x̂ + B u + E_b braking + E_r velocity of the road seen; but for the last step."""
     scenario, excitation, commands = run.scenario, run.excitation, trajectory.loop[1:, -2:]
-    braking = excitation.braking.reshape(len(commands), -1).mean(axis=1)
+    braking = excitation.grid.braking.reshape(len(commands), -1).mean(axis=1)
     seen, model = seen_by_sensors(scenario, excitation.grid.time, run.speed_profile), discrete(scenario.vehicle, STEP)
     by_model = trajectory.loop[:-1, :8] @ model.A.T + commands @ model.B.T
     return np.asarray(by_model + np.outer(braking, model.E[:, 2]) + seen @ model.E[:, :2].T)[:-1]

@@ -67,7 +67,7 @@ void *model_prepare(struct resources *from)
     return me;
 }
 
-/* `struct vehicle` of kernel/car.c, as sim_core/vehicle/nonlinear.py fills it. */
+/* `struct vehicle` of kernel/car.c, as sim_core/vehicle/make.py fills it. */
 static void fill_vehicle(struct memory *me, const double *value)
 {
     static const double PI = 3.14159265358979323846, GRAVITY = 9.80665;

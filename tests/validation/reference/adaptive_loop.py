@@ -45,7 +45,7 @@ class SolvedCar:
         fine, fine_step, dampers = run.steps.fine, grid.fine_step, run_dampers(scenario, run.controller)
         self._vehicle, self._estimator, self._recorder, self._dampers = vehicle, estimator, recorder, dampers
         self.fine, self._h = fine, fine_step
-        self._braking: list[float] = run.excitation.braking.tolist()
+        self._braking: list[float] = run.excitation.grid.braking.tolist()
         self._corner = 2 * np.pi * (actuator.bandwidth or 0.0)
         self._states = 10 if self._corner else 8
         self.size = self._states + (8 if estimator else 0)
