@@ -3,25 +3,23 @@
 import inspect
 import re
 from collections.abc import Iterator
-from typing import Self
+from dataclasses import replace
 
 import numpy as np
 
 from sim_core.catalogue import METRICS
-from sim_core.control.controller import Controller, Force, checked_value, scenario_value
+from sim_core.control.controller import Controller, checked_value, scenario_value
 from sim_core.control.declared import Option, ScenarioField
-from sim_core.control.seen import Seen, Setup
 from sim_core.controller_files import format_error
 from sim_core.errors import ForceError, RidelabError
-from sim_core.loop.closed_loop import checked_force
+from sim_core.metrics.evaluate import evaluate
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Road, Scenario
 from sim_core.scenario.access import record_accesses
 from sim_core.scenario.dotted import is_within
-from sim_core.simulate import simulate
+from sim_core.simulate import prepare, simulate
 from sim_core.strategies import STRATEGIES, make_controller, reads_in, speed_plan_on, strategy_named
-from sim_core.strategies.reads import CLASS_ATTRIBUTES, dependencies
-from sim_core.vehicle.model import SemiActiveDampers
+from sim_core.strategies.reads import dependencies
 
 _SHORT = Scenario(road=Road(length=60, bump=Bump(start=30)))
 _SAME_FORCE = 1e-4  # relative: a solver's answer is no closer to the linear law's
@@ -70,7 +68,7 @@ def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> li
         first, again = simulate(scenario, instance), simulate(scenario, instance)
         other = simulate(scenario, controller) if isinstance(controller, type) else first
         has_both = kind.linear_law is not Controller.linear_law and kind.force is not Controller.force
-        by_force = simulate(scenario, _by_force(instance)) if has_both and not instance.delayed else first
+        by_force = evaluate(replace(prepare(scenario, instance), follows_law=False)) if has_both else first
         undeclared = undeclared_reads(scenario, controller)
     except (Exception, SystemExit) as error:  # noqa: BLE001 - of anybody's code
         return [failure(error, controller)]
@@ -165,35 +163,6 @@ def failure(error: BaseException, controller: type[Controller] | Controller) -> 
     except (TypeError, OSError):  # a class of a notebook or a prompt is in none
         return error.message if isinstance(error, RidelabError) else f"{type(error).__name__}: {error}"
     return format_error(error, file)
-
-
-def _by_force(other: Controller) -> Controller:
-    """Return another controller that is driven alike, but asked in each step although it has a law."""
-    kind: type[_ByForce] = type("_ByForce", (_ByForce,), {name: getattr(other, name) for name in CLASS_ATTRIBUTES})
-    return kind(other)
-
-
-class _ByForce(Controller):
-    def __init__(self, other: Controller) -> None:
-        super().__init__()
-        self._other = other
-
-    def for_scenario(self, scenario: Scenario) -> Self:
-        ready = type(self)(self._other.for_scenario(scenario))
-        ready.preview, ready.prediction_horizon = ready._other.preview, ready._other.preview_steps
-        return ready
-
-    def dampers(self) -> SemiActiveDampers | None:
-        return self._other.dampers()
-
-    def start(self, setup: Setup) -> None:
-        self._other.start(setup)
-
-    def force(self, seen: Seen) -> Force | None:
-        return checked_force(self._other, self._other.force(seen), seen)
-
-    def end(self) -> None:
-        self._other.end()
 
 
 def _close(first: StrategyResult, second: StrategyResult) -> bool:

@@ -12,7 +12,7 @@ from sim_core.errors import RefusedError
 
 NOT_STABILISABLE = "No stabilising controller was found for these weights and this vehicle"
 _DOUBLINGS = 60
-_SETTLED = 1e-9  # relative change of P in a last doubling: convergence is quadratic, the next would change rounding
+_TOLERANCE = 1e-9  # relative change of P in a last doubling: convergence is quadratic, the next would change rounding
 _DEGREE = 13  # of Padé's approximation
 _NORM = 5.37  # up to which it is exact to rounding
 _PADE = [
@@ -81,7 +81,7 @@ def riccati(A: FloatArray, B: FloatArray, Q: FloatArray, R: FloatArray, N: Float
         G, grown = (G + G.T) / 2, (grown + grown.T) / 2
         change = np.abs(grown - H).max() / np.abs(grown).max()
         H = grown
-        if change <= _SETTLED:
+        if change <= _TOLERANCE:
             return H
     raise RefusedError(NOT_STABILISABLE)
 

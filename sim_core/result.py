@@ -13,7 +13,7 @@ from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
 
 _FORCES = ("front_force", "rear_force")
-ROUNDING = 1e-6  # of the largest force: what changes by less does not jump
+FORCE_TOLERANCE = 1e-6  # of the largest force: what changes by less does not jump
 
 
 def no_columns(_: slice) -> Mapping[str, FloatArray]:
@@ -71,7 +71,7 @@ class Series(Mapping[str, FloatArray]):
         for key in _FORCES:
             rows = self._columns[key]
             change = np.abs(rows[1 : len(samples) + 1, 0] - rows[: len(samples), -1])
-            jumped |= change > ROUNDING * np.abs(rows).max(initial=0.0)
+            jumped |= change > FORCE_TOLERANCE * np.abs(rows).max(initial=0.0)
         return samples[jumped]
 
     def with_jumps(self, key: str, start: int, end: int, dtype: type[np.floating[Any]] = np.float64) -> NDArray[Any]:

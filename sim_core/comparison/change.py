@@ -4,9 +4,10 @@ from dataclasses import dataclass, replace
 from math import isfinite, nan
 
 from sim_core.comparison.intervals import Interval
-from sim_core.comparison.numbers import NOTHING, SAME, significant
+from sim_core.comparison.numbers import LEAST_SHOWN_CHANGE, ZERO_TOLERANCE, significant
 
-_ZERO = 1e-6  # what rounding leaves in a control loop on a smooth road is below this, in any unit that is shown
+# What rounding leaves in a control loop on a smooth road is below this, in any unit that is shown.
+_LOOP_TOLERANCE = 1e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -68,9 +69,9 @@ def change_over_roads(interval: Interval, value: float, base: float, *, scale: f
 
 def _change(change: float, value: float, base: float, scale: float, *, is_sure: bool) -> Change:
     """Return the change [%] of a value against a base; `is_sure` where it is larger than what is random."""
-    if not isfinite(change) or abs(base * scale) < _ZERO:
-        return Change(change=None, beyond_variation=abs(value * scale) >= _ZERO)
-    beyond = is_sure and abs(change) >= SAME and not shown_alike(value, base, scale)
+    if not isfinite(change) or abs(base * scale) < _LOOP_TOLERANCE:
+        return Change(change=None, beyond_variation=abs(value * scale) >= _LOOP_TOLERANCE)
+    beyond = is_sure and abs(change) >= LEAST_SHOWN_CHANGE and not shown_alike(value, base, scale)
     return Change(change=change, beyond_variation=beyond)
 
 
@@ -78,6 +79,6 @@ def shown_alike(value: float, base: float, scale: float = 1.0) -> bool:
     """Check whether two values show as the same digits in the unit that `scale` leads to."""
     shown, other = value * scale, base * scale
     larger = max(abs(shown), abs(other))
-    if larger > NOTHING and abs(shown - other) > 0.01 * larger:  # three digits tell them apart: no need to write them
-        return False
+    if larger > ZERO_TOLERANCE and abs(shown - other) > 0.01 * larger:
+        return False  # three digits tell them apart: no need to write them
     return significant(shown) == significant(other)

@@ -4,8 +4,8 @@ from math import floor, isfinite, log10
 from typing import Any
 
 NO_VALUE = "–"
-NOTHING = 1e-9  # far below what any unit a result is shown in resolves: what rounding leaves of a zero
-SAME = 0.05  # smaller changes would print as zero [%]
+ZERO_TOLERANCE = 1e-9  # far below what any unit a result is shown in resolves: what rounding leaves of a zero
+LEAST_SHOWN_CHANGE = 0.05  # smaller changes would print as zero [%]
 _RAISED = str.maketrans("0123456789-−.", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻·")
 _THIN, _NARROW = "\u2009", "\u202f"
 
@@ -25,7 +25,7 @@ def significant(value: float, digits: int = 3) -> str:
     """Return so many significant digits, without an exponent while that stays readable."""
     if not isfinite(value):
         return NO_VALUE
-    if abs(value) < NOTHING:
+    if abs(value) < ZERO_TOLERANCE:
         return "0"
     size = floor(log10(abs(float(f"{value:.{digits - 1}e}"))))
     if not -4 <= size <= 7:

@@ -8,7 +8,6 @@ that lie 15 % apart; of all others, and of every RMS, 7 %.
 """
 
 from collections.abc import Iterable, Mapping
-from functools import cache
 
 from sim_core.catalogue import METRICS, PEAK, RMS
 from sim_core.control.mpc import PredictiveController
@@ -42,14 +41,7 @@ def variation_of_one_road(metric: str, resolutions: Iterable[Mapping[str, float]
     Returns:
         0 for times, speeds and events, which do not depend on the roughness.
     """
-    statistic = _statistic(metric)
-    return 0.0 if statistic is None else max(resolution[statistic] for resolution in resolutions)
-
-
-@cache
-def _statistic(metric: str) -> str | None:
-    """Return the statistic whose resolution is that of a metric; None where it has none."""
     path = METRICS[metric].path
     if path[0] not in ("metrics", "comfort"):
-        return None
-    return PEAK if path[-1] == PEAK else RMS
+        return 0.0
+    return max(resolution.get(path[-1], resolution[RMS]) for resolution in resolutions)

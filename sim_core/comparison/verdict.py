@@ -21,7 +21,7 @@ from sim_core.comparison.rows import Row, changes_between
 
 MOST_GROUPS, MOST_NAMED = 3, 4  # of groups and strategies that one sentence names
 _MOST_GROUPS_IN_WORDS, _MOST_WORDS = 2, 3  # of groups and of each one's metrics; beyond them, metrics are counted
-_SAME_SPEED = 0.01  # arrival speeds closer than this part of each other print the same or nearly so
+_SPEED_TOLERANCE = 0.01  # arrival speeds closer than this part of each other print the same or nearly so
 _TOGETHER = {PAPER_SIGNALS[:2]: "accelerations", PAPER_SIGNALS[2:]: "tyre loads"}
 _HEADLINES = (metric_key(BUMP, PAPER_SIGNALS[0], PEAK), metric_key(ROUGH_ROAD, PAPER_SIGNALS[0], RMS))
 _WINDOWS = {ROUGH_ROAD: ("RMS ", " on the rough road"), BUMP: ("peak ", " on the bump")}
@@ -235,7 +235,7 @@ def _speed_sentence(rows: Sequence[Row]) -> Iterator[str]:
     driven = sorted((row.speed, row.key, row) for row in rows if row.speed is not None)
     groups: list[tuple[float, list[Row]]] = []
     for speed, _, row in driven:
-        if groups and speed - groups[-1][0] <= _SAME_SPEED * speed:
+        if groups and speed - groups[-1][0] <= _SPEED_TOLERANCE * speed:
             groups[-1][1].append(row)
         else:
             groups.append((speed, [row]))

@@ -13,7 +13,7 @@ from sim_core.errors import RidelabError
 from sim_core.loop.run import Run
 from sim_core.road.sensed import expected_errors, wiener_filter
 from sim_core.scenario import Preview, Vehicle
-from sim_core.speed.profile import REACHED
+from sim_core.speed.profile import POSITION_TOLERANCE
 from sim_core.strategies import STRATEGIES
 from sim_core.vehicle.estimator import make_estimator
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, discrete, measurement
@@ -185,7 +185,7 @@ def previewed(loop: SampledLoop, mode: Preview, omega: FloatArray, steps: int) -
         factor = mismatch.preview_gain * np.sinc(n * mismatch.preview_resolution)
         factor = factor * wiener_filter(n, scenario.road.roughness, expected_errors(scenario.mpc))
         sensed = factor[:, None] * np.exp(-s * (mismatch.preview_delay + mismatch.preview_offset / v))
-        until = scenario.speed.detection_distance + REACHED
+        until = scenario.speed.detection_distance + POSITION_TOLERANCE
         seen[:, 0] = sensed * interval * (ends <= until)
         seen[:, 1] = sensed * behind * interval * (ends <= until + scenario.rear_axle_offset)
     return seen

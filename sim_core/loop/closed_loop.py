@@ -49,13 +49,14 @@ class Trajectory:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ClosedLoop:
-    """One run's loop; limits of forces as `limit_force` has them."""
+    """One run's loop; limits of forces as `limit_force` has them, `follows_law` as `Run` has it."""
 
     controller: Controller
     car: DrivenCar
     inputs: RunInputs
     forecast: Forecast
     force_limits: FloatArray
+    follows_law: bool
 
     def run(self, segments: Sequence[Segment]) -> Trajectory:
         """Drive the driving stages from rest, without a command before the first step."""
@@ -67,7 +68,7 @@ class ClosedLoop:
         follow: FollowLaw | None = None
         clips = type(self.controller).force is Controller.force
         for segment in segments:
-            law, k = self.controller.linear_law(segment.stage), segment.first
+            law, k = self.controller.linear_law(segment.stage) if self.follows_law else None, segment.first
             if law is None:
                 limited += sum(self._step(k, loop, requested) for k in range(segment.first, segment.last))
                 continue

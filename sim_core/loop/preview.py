@@ -20,7 +20,7 @@ from sim_core.loop.excitation import Excitation, TimeGrid
 from sim_core.road.profile import RoadProfile
 from sim_core.road.sensed import ExpectedErrors, expected_errors, sensed_road
 from sim_core.scenario import Mismatch, Preview, Scenario
-from sim_core.speed.profile import REACHED, SpeedProfile
+from sim_core.speed.profile import POSITION_TOLERANCE, SpeedProfile
 from sim_core.vehicle.half_car import DISTURBANCES
 
 
@@ -110,7 +110,7 @@ def _by_sensors(
     disturbances[:2] /= grid.step
     disturbances[2] = braking
     forecast = sliding_forecast(disturbances, horizon, height[:, : len(grid.time) - 1])
-    seen_until = axles[0, : disturbances.shape[1] - horizon + 1] + detection_distance + REACHED
+    seen_until = axles[0, : disturbances.shape[1] - horizon + 1] + detection_distance + POSITION_TOLERANCE
     if (axles[0, horizon:] <= seen_until).all():
         return forecast
     return _within_sight(forecast, axles, seen_until)

@@ -83,6 +83,7 @@ class Run:
         excitation: The road under the axles and the braking.
         stages: The driving stages.
         segments: The control steps of each.
+        follows_law: Whether a controller's linear law is followed; otherwise its `force` is asked in every step.
     """
 
     scenario: Scenario
@@ -95,6 +96,7 @@ class Run:
     excitation: Excitation
     stages: tuple[Span, ...]
     segments: Sequence[Segment]
+    follows_law: bool = True
 
     @property
     def first_step(self) -> int:
@@ -147,7 +149,7 @@ class Run:
                 raise RefusedError(f"{controller.label}: preview and prediction_horizon are set before start")
             if controller.delayed:
                 return DelayedLoop(controller, car, inputs, setup, force_limits).run()
-            return ClosedLoop(controller, car, inputs, forecast, force_limits).run(self.segments)
+            return ClosedLoop(controller, car, inputs, forecast, force_limits, self.follows_law).run(self.segments)
         finally:
             controller.end()
 

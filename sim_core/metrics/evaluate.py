@@ -25,7 +25,7 @@ from sim_core.scenario import Scenario
 from sim_core.scenario.parts import KMH
 from sim_core.speed.profile import TARGET_BAND, SpeedProfile
 
-_SNAP = 1e-6  # of a fine step: a section that ends so near to a sample ends there
+_STEP_TOLERANCE = 1e-6  # of a fine step: a section that ends so near to a sample ends there
 
 
 def evaluate(run: Run) -> StrategyResult:
@@ -139,7 +139,7 @@ def section_ends(spans: Sequence[tuple[float, float]]) -> FloatArray:
     """Ends (sections, 2) of sections that begin and end so many fine steps from x = 0: at a sample where near one."""
     steps = np.array(spans)
     nearest = np.round(steps)
-    return np.where(np.abs(steps - nearest) < _SNAP, nearest, steps)
+    return np.where(np.abs(steps - nearest) < _STEP_TOLERANCE, nearest, steps)
 
 
 def rms_between(

@@ -24,7 +24,8 @@ from sim_core.metrics.comfort import weighting
 from sim_core.metrics.definition import Sums, mean_squares
 
 WEIGHTED_STEP = 1e-3  # longest of the weighting [s]
-SNAP = 0.1  # of a sampling step: a section that ends so near to a sample ends there, as times of a file are rounded
+# Of a sampling step: a section that ends so near to a sample ends there, as times of a file are rounded.
+STEP_TOLERANCE = 0.1
 EVEN = 0.25  # of the usual step: the most that a step between evenly spaced samples differs from it
 AIRBORNE_SHARE = 1 - 1e-6  # of the static load: a tyre that lacks this much has none, as loads of a file are rounded
 
@@ -86,7 +87,7 @@ def _snapped(time: FloatArray, instant: float) -> float:
     after = time[np.clip(np.searchsorted(time, instant), 1, len(time) - 1)]
     before = time[max(0, int(np.searchsorted(time, instant, "right")) - 1)]
     nearest = float(before if instant - before < after - instant else after)
-    return nearest if abs(nearest - instant) <= SNAP * (after - before) else instant
+    return nearest if abs(nearest - instant) <= STEP_TOLERANCE * (after - before) else instant
 
 
 def _clip_to_span(time: FloatArray, rows: FloatArray, span: TimeSpan) -> tuple[FloatArray, FloatArray]:
@@ -187,10 +188,10 @@ def _weighted(time: FloatArray, acceleration: FloatArray, span: TimeSpan | None)
     at, (values,) = _clip_to_span(time, acceleration[None], span)
     values = values - np.trapezoid(values, at) / (span[1] - span[0])
     usual = _usual_step(at)
-    step = usual / ceil(usual / WEIGHTED_STEP - SNAP)
+    step = usual / ceil(usual / WEIGHTED_STEP - STEP_TOLERANCE)
     smooth = step < usual and _is_even(np.diff(at)[1:-1], usual) and np.isfinite(values).all()
     between = CubicSpline(at, values) if smooth else partial(np.interp, xp=at, fp=values)
-    count = int((span[1] - span[0]) / step + SNAP)
+    count = int((span[1] - span[0]) / step + STEP_TOLERANCE)
     middle = span[0] + step * (np.arange(count) + 0.5)
     # A line through two places within each step: a jump at its end stays out of it.
     early, late = (between(middle + share * step) for share in (-0.25, 0.25))
@@ -219,4 +220,4 @@ def _usual_step(time: FloatArray) -> float:
     if not len(steps):
         raise RefusedError("The recording has too few samples on this road")
     usual, mean = float(np.median(steps)), float(np.mean(steps))
-    return mean if abs(mean - usual) < SNAP * usual else usual
+    return mean if abs(mean - usual) < STEP_TOLERANCE * usual else usual

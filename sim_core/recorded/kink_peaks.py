@@ -6,11 +6,11 @@ from math import inf
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.metrics.sampled import SNAP, TimeSpan
+from sim_core.metrics.sampled import STEP_TOLERANCE, TimeSpan
 from sim_core.road.profile import grid_positions, kinks, road_profile
 from sim_core.scenario import Scenario
 
-SAME_ROAD = 1e-4  # recorded heights are the scenario's where none is further off [m]
+HEIGHT_TOLERANCE = 1e-4  # recorded heights are the scenario's where none is further off [m]
 AXLES = ("front", "rear")
 
 
@@ -19,7 +19,7 @@ def heights_match(scenario: Scenario, signals: Mapping[str, FloatArray], positio
     surface = road_profile(scenario.road)
     front, rear = (
         f"{axle}_road" in signals
-        and bool(np.abs(signals[f"{axle}_road"] - surface.height(position - behind)).max() <= SAME_ROAD)
+        and bool(np.abs(signals[f"{axle}_road"] - surface.height(position - behind)).max() <= HEIGHT_TOLERANCE)
         for axle, behind in zip(AXLES, (0.0, scenario.rear_axle_offset), strict=True)
     )
     return front, rear
@@ -46,7 +46,8 @@ def peaks_at_kinks(
     peaks, known = np.zeros((len(sections), len(AXLES))), heights_match(scenario, signals, signals["position"])
     stiffness = vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness
     time = signals["time"]
-    near = SNAP * float(np.median(np.diff(time)))  # a section's end is not told from a kink that is so near [s]
+    # A section's end is not told from a kink that is so near [s].
+    near = STEP_TOLERANCE * float(np.median(np.diff(time)))
     for axle, behind in enumerate((0.0, scenario.rear_axle_offset)):
         if not known[axle]:
             continue

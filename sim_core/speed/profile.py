@@ -27,7 +27,7 @@ ENGINE_TIME_CONSTANT = 0.5  # with which the engine closes a speed error [s] (ou
 ENGINE_ACCELERATION = 2.0  # it gives at most [m/s^2] (ours)
 # A place so little ahead of the car counts as reached [m]: far more than rounding, which differs between processors,
 # and far less than changes a metric. Otherwise a step that meets a place exactly reaches it on some processors only.
-REACHED = 1e-9
+POSITION_TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -127,7 +127,7 @@ def _planned(
     """
     h, initial = SPEED_CONTROL_PERIOD, speed.initial
     plan = (
-        *(*brake_chain(brake, mass), min(speed.target, initial), TARGET_BAND, bump_start, bump_end, REACHED),
+        *(*brake_chain(brake, mass), min(speed.target, initial), TARGET_BAND, bump_start, bump_end, POSITION_TOLERANCE),
         *(h, pressure_decay(brake, h / 2), pressure_decay(brake, h)),
         *(speed.controller == "guarded", KMH, ENGINE_TIME_CONSTANT, ENGINE_ACCELERATION),
     )

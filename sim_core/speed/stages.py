@@ -11,7 +11,7 @@ from typing import NamedTuple
 from sim_core.arrays import FloatArray
 from sim_core.result import Span
 from sim_core.scenario import Scenario
-from sim_core.speed.profile import REACHED, SpeedPlan, SpeedProfile
+from sim_core.speed.profile import POSITION_TOLERANCE, SpeedPlan, SpeedProfile
 
 
 class Segment(NamedTuple):
@@ -45,9 +45,9 @@ def make_spans(stages: Sequence[str], positions: Sequence[float], times: Sequenc
 def segments(stages: tuple[Span, ...], position: FloatArray) -> list[Segment]:
     """Return the control steps of each stage for ascending front-axle positions (n,) [m].
 
-    A stage begins with the first step at its start or not further before it than `REACHED`.
+    A stage begins with the first step at its start or not further before it than `POSITION_TOLERANCE`.
     """
-    firsts = [0] + [int(position.searchsorted(span.start_position - REACHED)) for span in stages[1:]]
+    firsts = [0] + [int(position.searchsorted(span.start_position - POSITION_TOLERANCE)) for span in stages[1:]]
     lasts = [*firsts[1:], len(position)]
     every = map(Segment, [span.stage for span in stages], firsts, lasts)
     return [each for each in every if each.last > each.first]

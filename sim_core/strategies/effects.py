@@ -13,14 +13,7 @@ from sim_core.control.controller import Controller, option_name
 from sim_core.control.declared import ScenarioField
 from sim_core.scenario import Speed, dotted
 from sim_core.strategies import STRATEGIES, reads, resolve_speed_plan
-from sim_core.strategies.reads import (
-    MOST_INFORMED,
-    PREVIEWS,
-    effective_preview,
-    fields_read_by,
-    is_set_by_field,
-    merge_into_parts,
-)
+from sim_core.strategies.reads import PREVIEWS, effective_preview, fields_read_by, is_set_by_field, merge_into_parts
 
 _POLICY = "speed.policy"
 _POLICIES = get_args(Speed.model_fields["policy"].annotation)
@@ -139,7 +132,7 @@ def _preview_rules(strategy: type[Controller]) -> dict[str, Alternatives]:
     """Return the rules for what the strategy itself previews."""
     needs = {
         name: _previews(strategy, *(mode for mode in PREVIEWS if name in fields_read_by(mode)))
-        for name in fields_read_by(MOST_INFORMED)
+        for name in fields_read_by("lookahead")
     }
     needs[_DETECTION] = _any(_braking(strategy), needs[_DETECTION])
     return needs | {_KNOWS_PREVIEW: _all(_filtered(strategy), needs[_KNOWS_PREVIEW])}

@@ -5,7 +5,7 @@ import numpy as np
 from backend.json_types import JsonObject
 from backend.runs.reports.keys import line_of
 from backend.runs.series import unpacked
-from sim_core.comparison.numbers import NOTHING, significant, with_unit
+from sim_core.comparison.numbers import ZERO_TOLERANCE, significant, with_unit
 
 NEAR = 0.6  # a reference line at most so far beyond the curves is brought into view [spans of the curves]
 PADDING = 0.05
@@ -21,7 +21,7 @@ def framed(figure: JsonObject) -> JsonObject:
     if not values:
         return figure
     low, high = min(float(each.min()) for each in values), max(float(each.max()) for each in values)
-    margin = NEAR * max(high - low, NOTHING)
+    margin = NEAR * max(high - low, ZERO_TOLERANCE)
     for shape in figure["layout"].get("shapes", ()):
         if shape["yref"] == "y" and low - margin <= shape["y0"] and shape["y1"] <= high + margin:
             low, high = min(low, shape["y0"]), max(high, shape["y1"])

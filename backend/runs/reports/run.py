@@ -27,7 +27,7 @@ from sim_core.catalogue import (
 from sim_core.comparison.change import Change
 from sim_core.comparison.numbers import (
     NO_VALUE,
-    NOTHING,
+    ZERO_TOLERANCE,
     exact,
     in_words,
     percent,
@@ -196,7 +196,7 @@ class Numbers:
             verdict = "better" if percentage < 0 else "worse"
         return {
             "raw": value,
-            "shown": plus_minus(shown, half * (scale or 1)) if half > NOTHING else shown,
+            "shown": plus_minus(shown, half * (scale or 1)) if half > ZERO_TOLERANCE else shown,
             "change": None if percentage is None or change is None else percent(percentage, _half(change)),
             "verdict": verdict,
         }
