@@ -52,12 +52,19 @@ def image(calibration: Calibration) -> Image:
     """
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        export.written(folder, calibration, "{}")
+        write_sources(folder, calibration)
         sources = [folder / source for source in (*CONTROLLER, "ridelab_tables.c", "target/ridelab_firmware.c")]
         program, script = folder / "firmware.elf", folder / "target" / "stm32f103.ld"
         options = [f"-I{folder}", *map(str, sources), f"-Wl,-T,{script}", "-o", str(program)]
         subprocess.run([*_COMMAND, *options], check=True)  # noqa: S603  # our own command, no shell
         return parsed(program.read_bytes())
+
+
+def write_sources(folder: Path, calibration: Calibration) -> None:
+    """Write an exported controller with these tables into a folder."""
+    for name, text in export.files(calibration, "{}").items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_text(text)
 
 
 def parsed(content: bytes) -> Image:

@@ -6,8 +6,6 @@ as the processor's manual does; the program counts its operations itself (sim_co
 hold memory to a real compilation and the cycles to the emulator; `make ecu` prints both again.
 """
 
-from dataclasses import dataclass
-
 from backend.ecu import tables
 from backend.ecu.models import ControllerPart
 from sim_core.ecu.calibration import Calibration
@@ -17,7 +15,7 @@ STM32F103 = ControllerPart(
     clock=72e6,
     flash=512 * 1024,
     ram=64 * 1024,
-    stack=1024,  # the emulator saw 520
+    stack=1024,  # the emulator saw 528
 )
 CYCLES_PER_OPERATION = 206.0  # multiplication and addition in software, with the table's read and two wait states
 SPREAD = 0.17  # of the emulated cycles around that
@@ -26,27 +24,18 @@ _OWN_CONSTANTS, _OWN_VARIABLES = 120, 84  # beside tables and working memory [by
 _NUMBER = 4  # of float32 and int32, and of a limit that binds [bytes]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Memory:
-    """Memory that a controller takes without its stack [bytes]: code and constants are flash, variables RAM."""
-
-    code: int
-    constants: int
-    variables: int
-
-
-def memory(calibration: Calibration) -> Memory:
-    """Return the memory of a controller with these tables."""
-    fields = calibration.input_steps, calibration.A, calibration.B, calibration.E, calibration.bounds
-    numbers = sum(field.size for field in fields)
-    numbers += sum(stage.rows.size + stage.gram.size for stage in calibration.stages)
+def constants(calibration: Calibration) -> int:
+    """Return the flash that tables take [bytes]."""
+    fields = [calibration.input_steps, calibration.A, calibration.B, calibration.E, calibration.bounds]
+    fields += [each for stage in calibration.stages for each in (stage.rows, stage.gram)]
     aligned_axles = -(-calibration.row_count // _NUMBER) * _NUMBER
+    return _OWN_CONSTANTS + _NUMBER * sum(field.size for field in fields) + aligned_axles
+
+
+def variables(calibration: Calibration) -> int:
+    """Return the RAM that a controller takes without its stack [bytes]."""
     working = tables.code_count(calibration) + calibration.most_active + tables.work_count(calibration)
-    return Memory(
-        code=CODE,
-        constants=_OWN_CONSTANTS + _NUMBER * numbers + aligned_axles,
-        variables=_OWN_VARIABLES + _NUMBER * working,
-    )
+    return _OWN_VARIABLES + _NUMBER * working
 
 
 def seconds(operations: float, part: ControllerPart = STM32F103) -> float:

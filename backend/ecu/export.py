@@ -4,7 +4,6 @@ import io
 import json
 import zipfile
 from collections.abc import Mapping
-from pathlib import Path
 
 from backend.ecu import tables
 from sim_core.ecu.calibration import Calibration
@@ -27,7 +26,7 @@ _OLDEST = (1980, 1, 1, 0, 0, 0)  # the only time a zip can have that says nothin
 
 
 def generated(calibration: Calibration) -> dict[str, str]:
-    """Name -> text of the files that hold the scenario's numbers."""
+    """Return the files that hold the scenario's numbers: name -> text."""
     return {
         "ridelab_calibration.h": tables.calibration_header(calibration),
         "ridelab_tables.c": tables.tables_source(calibration),
@@ -35,7 +34,7 @@ def generated(calibration: Calibration) -> dict[str, str]:
 
 
 def files(calibration: Calibration, scenario: str) -> dict[str, str]:
-    """Name -> text of everything an exported controller consists of.
+    """Return everything an exported controller consists of: name -> text.
 
     Args:
         calibration: Its numbers.
@@ -45,19 +44,8 @@ def files(calibration: Calibration, scenario: str) -> dict[str, str]:
     return {**fixed, **generated(calibration), "scenario.json": scenario}
 
 
-def written(folder: Path, calibration: Calibration, scenario: str) -> list[Path]:
-    """Write the files into a folder, created where missing; their paths."""
-    paths = []
-    for name, text in files(calibration, scenario).items():
-        path = folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
-        paths.append(path)
-    return paths
-
-
 def archive(scenario: Scenario) -> bytes:
-    """The scenario's controller as a zip of C sources.
+    """Return the scenario's controller as a zip of C sources.
 
     Raises:
         RidelabError: There is no stabilising controller.

@@ -114,13 +114,8 @@ def connected(calibration: Calibration, program: Path, *, patience: float = PATI
         finally:
             with suppress(OSError):
                 ours.shutdown(socket.SHUT_RDWR)
-            _end(process)
-
-
-def _end(process: "subprocess.Popen[bytes]") -> None:
-    """Wait for the process, which has been hung up on; kill it where it stays."""
-    try:
-        process.wait(END)
-    except subprocess.TimeoutExpired:
-        process.kill()
-        process.wait()
+            try:
+                process.wait(END)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from backend.cost import affordable
 from backend.cost.estimate import check_affordable
 from backend.ecu import effort
-from backend.ecu.effort import STM32F103, Memory
+from backend.ecu.effort import CODE, STM32F103
 from backend.ecu.models import ChangesByWindow, ControllerPart, ControllerReport, ControllerRow, Operations, StepTime
 from sim_core import Scenario, StrategyResult, simulate
 from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
@@ -89,20 +89,21 @@ class CountingEcu(Ecu):
 
 def _row(scenario: Scenario, checked: Checked, part: ControllerPart, simulated: StrategyResult) -> ControllerRow:
     calibration = ecu_calibration(scenario, checked)
-    memory, ecu = effort.memory(calibration), CountingEcu(calibration)
+    constants, variables = effort.constants(calibration), effort.variables(calibration)
+    ecu = CountingEcu(calibration)
     check_affordable(scenario, "lv_hil")
     result = simulate(scenario, LvHil(connect=lambda _: nullcontext(ecu), checked=checked))
     least, most = (effort.seconds(count) for count in (min(ecu.operations), max(ecu.operations)))
-    reasons = _reasons(memory, most, scenario.mpc.sample_time, part)
+    reasons = _reasons(CODE + constants, variables, most, scenario.mpc.sample_time, part)
     return ControllerRow(
         prediction_horizon=calibration.intervals,
         control_horizon=calibration.moves,
         checked=checked,
         checked_rows=calibration.row_count,
         iterations=calibration.iterations,
-        code=memory.code,
-        constants=memory.constants,
-        variables=memory.variables,
+        code=CODE,
+        constants=constants,
+        variables=variables,
         operations=Operations(least=min(ecu.operations), most=max(ecu.operations)),
         time=StepTime(least=least, most=most),
         most_iterations=result.events["ecu_most_iterations"],
@@ -113,9 +114,9 @@ def _row(scenario: Scenario, checked: Checked, part: ControllerPart, simulated: 
     )
 
 
-def _reasons(memory: Memory, most: float, sample_time: float, part: ControllerPart) -> list[str]:
+def _reasons(flash: int, variables: int, most: float, sample_time: float, part: ControllerPart) -> list[str]:
     """Return why it does not fit; empty where it does."""
-    reasons, flash, ram = [], memory.code + memory.constants, memory.variables + part.stack
+    reasons, ram = [], variables + part.stack
     if flash > part.flash:
         reasons.append(f"code and constants take {flash / 1024:.0f} KB of {part.flash / 1024:.0f} KB flash")
     if ram > part.ram:

@@ -2,7 +2,7 @@
 
 import struct
 import zlib
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -16,7 +16,7 @@ _ACROSS = 6  # numbers a line
 
 
 def fingerprint(calibration: Calibration) -> int:
-    """The hash of a set of tables: both sides of a connection must have the same."""
+    """Return the hash of a set of tables: both sides of a connection must have the same."""
     return zlib.crc32(_body(calibration))
 
 
@@ -46,8 +46,13 @@ def _single(values: FloatArray) -> bytes:
 
 
 def calibration_header(calibration: Calibration) -> str:
-    """`ridelab_calibration.h`: the tables' name, and the channels with their ranges."""
-    lines = ['#include "ridelab_dual.h"', "", f"#define RIDELAB_FINGERPRINT 0x{fingerprint(calibration):08x}u", ""]
+    """Return `ridelab_calibration.h`: the tables' name, and the channels with their ranges."""
+    lines = [
+        "/* Generated. The tables of one scenario. */",
+        "#ifndef RIDELAB_CALIBRATION_H",
+        "#define RIDELAB_CALIBRATION_H",
+    ]
+    lines += ["", '#include "ridelab_dual.h"', "", f"#define RIDELAB_FINGERPRINT 0x{fingerprint(calibration):08x}u", ""]
     highest = highest_code(calibration.bits)
     lines.append(f"/* Converters of {calibration.bits} bits: codes from -{highest} to the same above zero.")
     for i, channel in enumerate(SENSORS):
@@ -61,11 +66,11 @@ def calibration_header(calibration: Calibration) -> str:
     lines += ["", "/* What the controller works in: codes to read, limits that bind, numbers. */"]
     lines.append(f"#define RIDELAB_CODE_COUNT {code_count(calibration)}")
     lines += [f"extern {memory};" for memory in _memory(calibration)]
-    return _guarded("RIDELAB_CALIBRATION_H", "The tables of one scenario.", lines)
+    return "\n".join([*lines, "", "#endif", ""])
 
 
 def tables_source(calibration: Calibration) -> str:
-    """`ridelab_tables.c`."""
+    """Return `ridelab_tables.c`: the tables, and the memory that they need."""
     single = {
         "input_steps": calibration.input_steps,
         "a": calibration.A,
@@ -120,11 +125,6 @@ def _memory(calibration: Calibration) -> list[str]:
         f"ridelab_limit ridelab_limits[{calibration.most_active}]",
         f"float ridelab_work[{work_count(calibration)}]",
     ]
-
-
-def _guarded(name: str, purpose: str, lines: Iterable[str]) -> str:
-    head = [f"/* Generated. {purpose} */", f"#ifndef {name}", f"#define {name}", ""]
-    return "\n".join([*head, *lines, "", "#endif", ""])
 
 
 def _array(name: str, values: FloatArray) -> Iterator[str]:

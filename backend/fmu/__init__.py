@@ -1,1 +1,1 @@
-"""A scenario's controller or vehicle as an FMU for co-simulation: its C behind FMI, described and compiled."""
+"""A scenario's controller or vehicle as an FMU for co-simulation: its program, numbers and description."""

@@ -35,13 +35,13 @@ _ECU = (
 
 
 def state(causality: str) -> list[Variable]:
-    """The half-car's state, `state[1]` to `state[8]`."""
+    """Return the half-car's state, `state[1]` to `state[8]`."""
     texts, units = zip(*_STATE, strict=True)
     return list(array("state", "output" if causality == "output" else "input", texts, units))
 
 
 def preview(steps: int) -> list[Variable]:
-    """Road heights now and at the end of each coming control step, and the braking in each."""
+    """Return road heights now and at the end of each coming control step, and the braking in each."""
     if not steps:
         return []
     ends = [f"at the end of control step {i + 1} from now" for i in range(steps)]
@@ -67,7 +67,7 @@ def preview(steps: int) -> list[Variable]:
 
 
 def forces() -> list[Variable]:
-    """The commands."""
+    """Return the commands, front and rear."""
     return [
         Variable(
             name=f"force_{axle}", causality="output", description=f"Actuator force {axle}, up on the body", unit="N"
@@ -83,7 +83,7 @@ def period(sample_time: float) -> Variable:
 
 
 def controller_model(scenario: Scenario, strategy: str) -> Model:
-    """The model of a strategy's suspension controller; of `lv` that of `lv_hil`, the same MPC as an ECU's program.
+    """Return the model of a strategy's suspension controller; of `lv` that of `lv_hil`, its MPC as an ECU's program.
 
     Raises:
         UnknownNameError: No such strategy.

@@ -30,7 +30,7 @@ _UNITS = {
 
 
 def model_description(model: Model, version: Version, token: str) -> bytes:
-    """The file's content."""
+    """Return the content of `modelDescription.xml`."""
     root = ET.Element("fmiModelDescription", fmiVersion=version, modelName=model.name, description=model.description)
     root.set("guid" if version == "2.0" else "instantiationToken", token)
     root.set("generationTool", GENERATED_BY)
@@ -52,7 +52,8 @@ def model_description(model: Model, version: Version, token: str) -> bytes:
     outputs = [place for place, each in enumerate(model.variables) if each.causality == "output"]
     if version == "2.0":
         for place, variable in enumerate(model.variables):
-            ET.SubElement(_scalar(variables, variable, place), *_type_2(variable))
+            scalar = ET.SubElement(variables, "ScalarVariable", _common(variable, place))
+            ET.SubElement(scalar, "Integer" if variable.whole else "Real", _values(variable))
         for kind in ("Outputs", "InitialUnknowns"):
             unknowns = ET.SubElement(structure, kind)
             for place in outputs:
@@ -64,7 +65,8 @@ def model_description(model: Model, version: Version, token: str) -> bytes:
             unit="s",
         )  # fmt: skip
         for place, variable in enumerate(model.variables):
-            _variable_3(variables, variable, place)
+            kind = "Int32" if variable.whole else "Float64"
+            ET.SubElement(variables, kind, _common(variable, place) | _values(variable))
         for kind in ("Output", "InitialUnknown"):
             for place in outputs:
                 ET.SubElement(structure, kind, valueReference=str(place))
@@ -72,7 +74,7 @@ def model_description(model: Model, version: Version, token: str) -> bytes:
 
 
 def build_description(model: Model, version: Version) -> bytes:
-    """`sources/buildDescription.xml`, which FMI 3.0 asks for."""
+    """Return `sources/buildDescription.xml`, which FMI 3.0 asks for."""
     root = ET.Element("fmiBuildDescription", fmiVersion=version)
     files = ET.SubElement(ET.SubElement(root, "BuildConfiguration", modelIdentifier=model.name), "SourceFileSet")
     files.set("language", "C11")
@@ -106,10 +108,6 @@ def documentation(model: Model, missing: Sequence[str]) -> bytes:
     ).encode()
 
 
-def _scalar(parent: ET.Element, variable: Variable, place: int) -> ET.Element:
-    return ET.SubElement(parent, "ScalarVariable", _common(variable, place))
-
-
 def _common(variable: Variable, place: int) -> dict[str, str]:
     constant = variable.causality == "constant"
     continuous = "discrete" if variable.whole else "continuous"
@@ -131,14 +129,6 @@ def _values(variable: Variable) -> dict[str, str]:
     if variable.causality != "output":
         values["start"] = written(variable.start)
     return values
-
-
-def _type_2(variable: Variable) -> tuple[str, dict[str, str]]:
-    return "Integer" if variable.whole else "Real", _values(variable)
-
-
-def _variable_3(parent: ET.Element, variable: Variable, place: int) -> None:
-    ET.SubElement(parent, "Int32" if variable.whole else "Float64", _common(variable, place) | _values(variable))
 
 
 def _text(root: ET.Element) -> bytes:

@@ -39,7 +39,7 @@ _DAMPERS = (
 
 
 def vehicle_model(scenario: Scenario) -> Model:
-    """The model of the car that the scenario drives, its mismatch and its actuators' lag included."""
+    """Return the model of the car that the scenario drives, its mismatch and its actuators' lag included."""
     vehicle, actuator = scenario.real_vehicle, scenario.actuator
     inputs = [Variable(name=name, causality="input", description=text, unit=unit) for name, text, unit in _INPUTS]
     outputs = [Variable(name=name, causality="output", description=text, unit=unit) for name, text, unit in _OUTPUTS]
@@ -72,7 +72,7 @@ def _parameter(name: str, text: str, unit: str, start: float) -> Variable:
 
 
 def _field(name: str, value: float | None, schema: dict[str, Any]) -> Variable:
-    """Of a vehicle's field; none is 0."""
+    """Return the parameter of a vehicle's field; None is 0."""
     text = f"{schema['title']}: {schema['description']}"
     if schema.get("type") == "boolean":
         return Variable(name=name, causality="parameter", description=text, whole=True, start=float(value or 0), most=1)

@@ -1,5 +1,6 @@
 """What the wheels hold: each is installed by itself in an environment with its dependencies alone."""
 
+import io
 import json
 import re
 import subprocess
@@ -179,6 +180,8 @@ def test_the_servers_wheel_has_its_pages_the_manual_the_ecus_sources_and_the_rep
     assert run["strategies"]["lv_hil"]["status"] == "ok", run
     sources = httpx.post(f"{address}/api/v1/controller", json={"scenario": body["scenario"]}, timeout=HANG_TIMEOUT)
     assert (sources.status_code, sources.content[:2]) == (200, b"PK")
+    fmu = httpx.post(f"{address}/api/v1/fmus", json={"of": "vehicle"}, timeout=HANG_TIMEOUT).raise_for_status()
+    assert "binaries/linux64/ridelab_vehicle.so" in ZipFile(io.BytesIO(fmu.content)).namelist()
     assert get(f"/api/v1/runs/{run['id']}/report.html").text
 
 

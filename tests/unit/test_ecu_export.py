@@ -72,10 +72,10 @@ def test_the_memory_that_the_report_computes_is_that_of_a_real_compilation(
     """To the byte: code, constants and variables of the linked program."""
     mpc = SMALL.mpc.model_copy(update={"prediction_horizon": prediction, "control_horizon": control})
     calibration = ecu_calibration(SMALL.model_copy(update={"mpc": mpc}), checked)
-    image, computed = firmware.image(calibration), effort.memory(calibration)
-    assert image.sections[".text"] == len(image.segments[0][1]) == computed.code
-    assert image.sections[".rodata"] == computed.constants
-    assert (image.ram, image.flash) == (computed.variables, computed.code + computed.constants)
+    image, constants = firmware.image(calibration), effort.constants(calibration)
+    assert image.sections[".text"] == len(image.segments[0][1]) == effort.CODE
+    assert image.sections[".rodata"] == constants
+    assert (image.ram, image.flash) == (effort.variables(calibration), effort.CODE + constants)
 
 
 @pytest.mark.thorough

@@ -11,9 +11,10 @@ import numpy as np
 import psutil
 import pytest
 
-from backend.ecu import export, link
+from backend.ecu import link
 from backend.ecu.link import EcuError, connected
 from backend.ecu.tables import fingerprint
+from benchmarks.firmware import write_sources
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.program import CompiledEcu, Frame
 from sim_core.kernel.build import default_compiler
@@ -48,7 +49,7 @@ def calibration() -> Calibration:
 def program(calibration: Calibration, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The exported one, with these tables."""
     folder = tmp_path_factory.mktemp("controller")
-    export.written(folder, calibration, "{}")
+    write_sources(folder, calibration)
     subprocess.run(["make", f"CC={shlex.join(default_compiler())}"], cwd=folder, check=True, capture_output=True)
     return folder / "ridelab_ecu"
 

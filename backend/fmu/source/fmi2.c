@@ -20,6 +20,11 @@ typedef struct {
     void (*stepFinished)(fmi2ComponentEnvironment, fmi2Status);
     fmi2ComponentEnvironment componentEnvironment;
 } fmi2CallbackFunctions;
+typedef struct {
+    fmi2Boolean newDiscreteStatesNeeded, terminateSimulation, nominalsOfContinuousStatesChanged, valuesOfContinuousStatesChanged,
+        nextEventTimeDefined;
+    fmi2Real nextEventTime;
+} fmi2EventInfo;
 #endif
 
 struct fmu {
@@ -180,9 +185,15 @@ RIDELAB_EXPORT fmi2Status fmi2GetBooleanStatus(fmi2Component c, const fmi2Status
     return kind == fmi2Terminated ? fmi2OK : fmi2Discard;
 }
 
-/* What the standard wants to be there, and modelDescription.xml says is of no use. */
+/* What the standard wants to be there, and modelDescription.xml says is of no use; then what is for model exchange alone,
+   without which some tools load no library. */
 #define UNSUPPORTED(name, ...)                                        \
     RIDELAB_EXPORT fmi2Status name(fmi2Component c, __VA_ARGS__)      \
+    {                                                                 \
+        return told(c, "The function is not supported: " #name);      \
+    }
+#define UNSUPPORTED_ALONE(name)                                       \
+    RIDELAB_EXPORT fmi2Status name(fmi2Component c)                   \
     {                                                                 \
         return told(c, "The function is not supported: " #name);      \
     }
@@ -205,6 +216,16 @@ UNSUPPORTED(fmi2GetRealOutputDerivatives, const fmi2ValueReference reference[], 
 UNSUPPORTED(fmi2GetStatus, const fmi2StatusKind kind, fmi2Status *value)
 UNSUPPORTED(fmi2GetIntegerStatus, const fmi2StatusKind kind, fmi2Integer *value)
 UNSUPPORTED(fmi2GetStringStatus, const fmi2StatusKind kind, fmi2String *value)
+UNSUPPORTED_ALONE(fmi2EnterEventMode)
+UNSUPPORTED(fmi2NewDiscreteStates, fmi2EventInfo *info)
+UNSUPPORTED_ALONE(fmi2EnterContinuousTimeMode)
+UNSUPPORTED(fmi2CompletedIntegratorStep, fmi2Boolean no_return, fmi2Boolean *event, fmi2Boolean *terminate)
+UNSUPPORTED(fmi2SetTime, fmi2Real time)
+UNSUPPORTED(fmi2SetContinuousStates, const fmi2Real states[], size_t count)
+UNSUPPORTED(fmi2GetDerivatives, fmi2Real derivatives[], size_t count)
+UNSUPPORTED(fmi2GetEventIndicators, fmi2Real indicators[], size_t count)
+UNSUPPORTED(fmi2GetContinuousStates, fmi2Real states[], size_t count)
+UNSUPPORTED(fmi2GetNominalsOfContinuousStates, fmi2Real nominals[], size_t count)
 
 RIDELAB_EXPORT fmi2Status fmi2CancelStep(fmi2Component c)
 {

@@ -126,6 +126,9 @@ static int understood(struct resources *me, size_t length)
     for (size_t i = 0; i < me->count; i++)
         if (!isfinite(me->numbers[i]))
             return 0;
+    for (size_t i = 0; !me->damaged && i < me->variables; i++)
+        if (me->whole[i] != 0 && !(fabs(me->start[i]) <= INT32_MAX))
+            return 0;
     size_t names = 0;
     for (const char *at = me->names; at < me->token + text && *at; at += strlen(at) + 1)
         names++;
