@@ -3,7 +3,7 @@
 The compiled program is the same for every scenario: its tables and the memory that it works in are data beside it. So
 its size is measured once, and so is what an operation costs, by running the program in an emulator that counts cycles
 as the processor's manual does; the program counts its operations itself (sim_core/ecu/source/ridelab_count.h). Tests
-hold memory to a real compilation and the cycles to the emulator; `make ecu` prints both again.
+hold memory to a real compilation and the cycles to the emulator.
 """
 
 from backend.ecu import tables
