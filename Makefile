@@ -16,7 +16,7 @@ unexport PYTHONDONTWRITEBYTECODE
 MAKEFLAGS += --jobs=3  # packages and page side by side; the tests beside both halves of the checks, which give way to them
 .DELETE_ON_ERROR:  # a half-made page or manual is made again
 
-.PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust nearest figures manual setup development binaries compiler lock pin dist dist-empty dist-rest clean
+.PHONY: run test suite drill drill-compose mutate check check-python check-frontend audit bench margins ecu paper screenshots robust nearest figures manual setup development binaries compiler lock pin dist dist-empty dist-rest clean
 
 run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
@@ -25,13 +25,17 @@ test: development ## everything: style, types, import rules, all tests, browser 
 	$(MAKE) check suite
 
 suite: development ## the tests alone
-	$(BIN)/python -m pytest tests --ignore tests/drill $(PYTEST)
+	$(BIN)/python -m pytest tests --ignore tests/drill --ignore tests/compose $(PYTEST)
 
 drill: binaries $(VENV)/clients/.installed ## at length: new random scenarios, kills in sixty lives, load, fuzzing, costs; DRILL_KILLS= and DRILL_SEED= change it
 	THOROUGH=1 HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/validation tests/faults/test_release.py --numprocesses 2
 	THOROUGH=1 $(BIN)/python -m pytest tests/browser
-	THOROUGH=1 $(BIN)/python -m pytest tests -m thorough --ignore tests/browser --ignore tests/drill --ignore tests/validation
+	THOROUGH=1 $(BIN)/python -m pytest tests -m thorough --ignore tests/browser --ignore tests/drill --ignore tests/compose --ignore tests/validation
 	$(BIN)/python -m pytest tests/drill -s
+	@if docker info > /dev/null 2>&1; then $(MAKE) drill-compose; else echo "make drill-compose was not run: no Docker engine answers here"; fi
+
+drill-compose: development ## the image and the composed service in Docker, as root: what they promise, kills, hangs, an upgrade of 0.4.0; DRILL_BASES= names a folder that makes the base images
+	$(BIN)/python -m pytest tests/compose -s --maxfail 3 --durations 0
 
 mutate: development ## 300 small changes of the core, each by the tests that reach it; MUTATE_SEED= chooses, MUTATE_PIECE=1/3 takes a third
 	$(BIN)/python -m tests.mutation

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
     from backend.settings import Settings
 
+OWN_NAMES = "localhost,*.localhost,127.0.0.1,::1"  # of this machine
+AT_HOME = "; its data are in {}, which a volume with a name keeps; links to localhost open on this machine alone"
 INTERRUPTED, TERMINATED = 130, 143  # exit codes after Ctrl-C and SIGTERM, as shells give them
 DEADLINE = 9.0  # an ordered end takes at most so long [s]; SIGTERM promises ten
 
@@ -117,7 +119,12 @@ def _serving(settings: "Settings", host: str) -> "Settings":
     """
     if settings.hosts or host not in ("localhost", "127.0.0.1", "::1"):
         return settings
-    return settings.model_copy(update={"allowed_hosts": "localhost,*.localhost,127.0.0.1,::1"})
+    return settings.model_copy(update={"allowed_hosts": OWN_NAMES})
+
+
+def _is_in_container_for_one(settings: "Settings", host: str) -> bool:
+    """Check whether it listens to everybody and answers to its own names alone, as the image does by itself."""
+    return host in ("0.0.0.0", "::") and bool(settings.hosts) and settings.hosts <= set(OWN_NAMES.split(","))  # noqa: S104
 
 
 def _end_with_the_input() -> None:
@@ -248,11 +255,12 @@ def _serve(
         async def _announce(self) -> None:
             """Print the address, once a worker is warm; until then /readyz says so to whoever asks."""
             await app.state.services.workers.wait_until_warm()
-            shown = f"[{options.host}]" if ":" in options.host else options.host
-            address = f"http://{shown}:{listener.getsockname()[1]}"
-            folder = settings.data_dir.absolute()
+            at_home = _is_in_container_for_one(settings, options.host)
+            host = "localhost" if at_home else options.host
+            address = f"http://{f'[{host}]' if ':' in host else host}:{listener.getsockname()[1]}"
             where = f"\nIts data are in {settings.shown_store}\nCtrl-C ends it" * options.say_where
-            said = {"address": address, "data_dir": folder}
+            where += AT_HOME.format(settings.shown_store) * at_home
+            said = {"address": address, "data_dir": settings.data_dir.absolute()}
             _say(f"Ridelab is at {address}{where}", said, as_json=options.json)
             if options.open:
                 await asyncio.to_thread(webbrowser.open, address)

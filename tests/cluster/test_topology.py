@@ -1,25 +1,17 @@
-"""docker-compose.yml's topology as plain processes, over TLS: it works, and goes on when the part that leads is killed.
-
-`make drill` kills every other part too, and all at once.
-"""
+"""docker-compose.yml's topology as plain processes, over TLS: what needs no engine; the rest is in tests/compose."""
 
 import json
-import socket
-import ssl
 from collections.abc import Iterator
-from functools import partial
 from urllib.parse import quote
 
 import httpx
-import psutil
 import pytest
 from sqlalchemy import make_url
 
 from tests.api.own_laws import LAW
 from tests.servers.compose import Topology
-from tests.servers.leader import leader
 from tests.servers.postgres import Postgres
-from tests.servers.process import Program, ask, request, wait_until
+from tests.servers.process import ask, request, wait_until
 
 SHORT = {"length": 120, "bump": {"start": 90}}
 
@@ -93,58 +85,6 @@ def test_a_run_a_link_and_a_batch_go_through_the_proxy(topology: Topology) -> No
     assert '"done"' in [line for line in events.text.splitlines() if line.startswith("data:")][-1]
     assert_completes(topology, batch, 20)
     assert submit(topology, 0.05, 20) == batch, "the same key, whichever replica is asked"
-
-
-def test_what_dask_opens_is_for_who_has_a_certificate(topology: Topology) -> None:
-    for program in (topology.scheduler, *topology.workers):
-        wait_until(partial(listens, program), "it listens")
-        assert sorted(map(kind_of_port, listening_of(program))) == ["health", "tls"]
-
-
-def listens(program: Program) -> bool:
-    return len(listening_of(program)) == 2
-
-
-def listening_of(program: Program) -> list[int]:
-    """The ports of this machine that it listens on; none where it is dead."""
-    try:
-        connections = psutil.Process(program.pid).net_connections()
-    except psutil.Error:
-        return []
-    return [each.laddr.port for each in connections if each.status == psutil.CONN_LISTEN]
-
-
-def kind_of_port(port: int) -> str:
-    """`health` where HTTP answers health and nothing else; `tls` where a certificate is required."""
-    paths = ("/health", "/status", "/metrics", "/info/main/workers.html", "/json/counts.json")
-    try:
-        answers = {path: request("GET", f"http://127.0.0.1:{port}{path}").status_code for path in paths}
-    except httpx.TransportError:
-        context = ssl.create_default_context()
-        context.check_hostname, context.verify_mode = False, ssl.CERT_NONE
-        with socket.create_connection(("127.0.0.1", port)) as connection:
-            secure = context.wrap_socket(connection)  # in TLS 1.3 the server says what it thinks afterwards
-            with secure, pytest.raises(ssl.SSLError, match="certificate required"):
-                secure.recv(1)
-        return "tls"
-    assert answers == {path: 200 if path == "/health" else 404 for path in paths}
-    return "health"
-
-
-def test_a_batch_goes_on_when_the_replica_that_drives_is_killed(topology: Topology) -> None:
-    """That requests go to the other one is shown in tests/cluster/test_proxy.py."""
-    wait_until(lambda: both_serve(topology), "both replicas serve")
-    killed, batch = leader(topology.database, topology.replicas), submit(topology, 0.06, 300)
-    wait_until(lambda: done(topology, batch) > 0, "the batch begins")
-    stored = done(topology, batch)
-    assert stored < 300, "the test needs a longer batch"
-    killed.kill(stays_dead=True)
-    try:
-        wait_until(lambda: done(topology, batch) > stored, "the batch goes on")
-        assert leader(topology.database, topology.replicas) is not killed
-        assert_completes(topology, batch, 300)
-    finally:
-        killed.revive()
 
 
 def both_serve(topology: Topology) -> bool:
