@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sim_core import Controller, Scenario, check_controller, controller_files, load_controllers, program, simulate
+from sim_core import Controller, Scenario, check_controller, controller_files, load_controllers, simulate
 from sim_core.controller_files import VARIABLE, ControllerFileError
 from sim_core.errors import UnknownNameError
 from sim_core.program import program as named_program
@@ -92,14 +92,6 @@ def test_a_saved_file_is_another_controller_and_another_program(file: Path) -> N
     weights.unlink()
     with pytest.raises(ControllerFileError, match=r"weights\.txt"):
         mine(file)
-
-
-@pytest.mark.parametrize("part", ["DIGEST", "_version"])
-def test_another_c_or_solver_is_another_program(part: str, monkeypatch: pytest.MonkeyPatch, file: Path) -> None:
-    before = named_program(mine(file))
-    assert set(before) == {"core", "kernel", "osqp", "controller"}
-    monkeypatch.setattr(program, part, "another" if part == "DIGEST" else lambda _: "0")
-    assert named_program(mine(file)) != before
 
 
 def test_files_and_folders_that_the_variable_names_are_strategies(

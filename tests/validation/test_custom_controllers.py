@@ -13,11 +13,10 @@ import pytest
 import sim_core
 from sim_core import Controller, LinearLaw, Seen, Setup, check_controller, option, scenario_field, simulate
 from sim_core.road.profile import road_profile
-from sim_core.scenario import Actuator, Estimation, Mismatch, Mpc, Scenario, Vehicle
-from sim_core.simulate import prepare
+from sim_core.scenario import Actuator, Estimation, Mpc, Scenario, Vehicle
 from sim_core.strategies import STRATEGIES, reads
 from tests.there import there
-from tests.validation.controllers import SHORT, make_class
+from tests.validation.controllers import SHORT
 
 
 @pytest.mark.parametrize("strategy", STRATEGIES)
@@ -168,26 +167,6 @@ def test_measurements_have_the_noise_of_the_sensors() -> None:
 def test_without_sensors_the_road_ahead_is_level() -> None:
     seen = watched(SHORT.model_copy(update={"mpc": Mpc(preview="none")}))
     np.testing.assert_allclose(np.diff(seen["preview"], axis=1), 0, atol=1e-15)
-
-
-@pytest.mark.parametrize("preview", ["wheelbase", "lookahead", "obstacle"])
-@pytest.mark.parametrize("horizon", [1, np.int64(7)])
-def test_a_horizon_is_any_whole_number(preview: str, horizon: int) -> None:
-    def force(_self: Controller, seen: Seen) -> tuple[float, float]:
-        assert seen.preview.shape == (horizon, 2)
-        return 0.0, 0.0
-
-    asking = make_class(preview=preview, prediction_horizon=horizon, force=force)
-    assert simulate(SHORT, asking).events["limited_steps"] == 0
-
-
-def test_the_believed_car_is_told_not_the_real_one() -> None:
-    scenario = SHORT.model_copy(update={"mismatch": Mismatch(body_mass=1.2)})
-    watcher = Watcher()
-    watcher.recorded = []
-    ready = watcher.for_scenario(scenario)
-    ready.start(prepare(scenario, ready).setup())
-    assert ready.setup.vehicle == scenario.vehicle
 
 
 def test_options_belong_to_the_object_and_are_read_of_a_controller_that_has_some() -> None:

@@ -1,27 +1,20 @@
 """The Kalman filter: its gain, its covariance on a road, what it is told of that, its recursion, the loop around it."""
 
-from collections.abc import Sequence
-from unittest.mock import patch
-
 import numpy as np
 import pytest
 from scipy.linalg import expm, solve_continuous_lyapunov, solve_discrete_are
 
-from sim_core import PredictiveController
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import PAPER_SIGNALS
-from sim_core.errors import RidelabError
 from sim_core.frequency.sampled_loop import sampled_loop, stage_law
 from sim_core.loop.closed_loop import ClosedLoop, Trajectory
 from sim_core.loop.run import Run
 from sim_core.road.profile import road_profile
 from sim_core.road.sensed import ExpectedErrors, expected_errors
-from sim_core.scenario import Bump, Estimation, Lqr, Mismatch, Mpc, Preview, Road, Scenario, Speed, Vehicle
+from sim_core.scenario import Bump, Estimation, Mismatch, Mpc, Preview, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.presets import preset
 from sim_core.simulate import prepare, simulate
 from sim_core.speed.profile import SpeedProfile
-from sim_core.speed.stages import Segment
-from sim_core.strategies import STRATEGIES
 from sim_core.vehicle.estimator import (
     KalmanFilter,
     _accumulated,
@@ -30,6 +23,7 @@ from sim_core.vehicle.estimator import (
     unseen_share,
 )
 from sim_core.vehicle.half_car import discrete, half_car, measurement
+from tests.validation.caught import returned
 from tests.validation.reference.sampled import to_deflections
 from tests.validation.reference.vehicle import state_space
 from tests.validation.strategies import some
@@ -108,15 +102,10 @@ def seen_by_sensors(scenario: Scenario, time: FloatArray, speed_profile: SpeedPr
 
 def driven(scenario: Scenario, strategy: str) -> tuple[Run, Trajectory]:
     """A run, its states [estimate; car] and its commands at the control instants."""
-    run, caught, drive_loop = prepare(scenario, strategy), list[Trajectory](), ClosedLoop.run
-
-    def caught_run(loop: ClosedLoop, stages: Sequence[Segment]) -> Trajectory:
-        caught.append(drive_loop(loop, stages))
-        return caught[-1]
-
-    with patch.object(ClosedLoop, "run", caught_run):
+    run = prepare(scenario, strategy)
+    with returned(ClosedLoop, "run") as runs:
         run.drive()
-    return run, caught[0]
+    return run, runs[0][1]
 
 
 def predicted(run: Run, trajectory: Trajectory) -> FloatArray:
@@ -201,19 +190,6 @@ def test_the_estimate_follows_the_textbooks_recursion(mode: Preview) -> None:
     assert np.abs(alike[np.triu_indices(4, 1)]).max() < 0.1
 
 
-@pytest.mark.parametrize(
-    ("lqr", "mpc"),
-    [("none", "lookahead"), ("lookahead", "none"), ("wheelbase", "obstacle")],
-)
-def test_each_strategy_tells_its_filter_what_it_previews_itself(lqr: Preview, mpc: Preview) -> None:
-    scenario = Scenario(estimation=KALMAN, lqr=Lqr(preview=lqr), mpc=Mpc(preview=mpc))
-    untold = scenario.model_copy(update={"estimation": UNTOLD})
-    for name, strategy in STRATEGIES.items():
-        expected = lqr if name == "lqr" else mpc if issubclass(strategy, PredictiveController) else "none"
-        assert prepare(scenario, strategy).filter_preview == expected
-        assert prepare(untold, strategy).filter_preview == "none"
-
-
 @pytest.mark.parametrize("noise", [0.0005, 0.002, 0.01])
 def test_the_unseen_share_moves_the_body_as_the_unseen_road_does(noise: float) -> None:
     """Of noise alone the Wiener estimate leaves S n²/(n² + c/N): white velocity through a first-order high-pass.
@@ -274,10 +250,3 @@ def test_the_loop_has_the_regulators_poles_and_the_filters() -> None:
     ours = np.linalg.eigvals(loop.closed)
     for pole in poles:
         assert np.abs(ours - pole).min() < 1e-5, pole
-
-
-def test_a_filter_that_is_not_stable_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Doubling may settle where rounding has the last word: here on a covariance below zero."""
-    monkeypatch.setattr("sim_core.vehicle.estimator.riccati", lambda *_: -0.9999 * np.eye(8) * 0.002**2)
-    with pytest.raises(RidelabError, match="No stable Kalman filter"):
-        kalman_filter(CAR, KALMAN, STEP, 2 * INTENSITY)

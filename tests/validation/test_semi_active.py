@@ -8,12 +8,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.record import Recorder
-from sim_core.loop.closed_loop import Trajectory
 from sim_core.loop.run import Run
 from sim_core.result import StrategyResult
 from sim_core.scenario import Actuator, Bump, Estimation, Hook, Mismatch, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
+from tests.validation.caught import returned
 from tests.validation.nonlinear_loops import errors, worst
 from tests.validation.strategies import between, examples
 
@@ -23,21 +22,13 @@ SHORT = Road(length=30, roughness=256e-6, bump=Bump(start=15))
 
 def recorded(scenario: Scenario, law: str) -> tuple[FloatArray, StrategyResult]:
     """The samples of a run in which every substep is one: fine steps of 0.1 ms."""
-    caught: list[FloatArray] = []
-
-    drive = Run.drive
-
-    def caught_drive(run: Run, recorder: Recorder | None = None) -> Trajectory:
-        trajectory = drive(run, recorder)
-        caught.append(trajectory.sample(run.first_step, len(trajectory.loop) - 1))
-        return trajectory
-
     with (
-        patch.object(Run, "drive", caught_drive),
+        returned(Run, "drive") as drives,
         patch("sim_core.loop.excitation.longest_fine_step", lambda *_, **__: 1e-4),
     ):
         result = simulate(scenario, law)
-    return caught[0], result
+    run, trajectory = drives[0]
+    return trajectory.sample(run.first_step, len(trajectory.loop) - 1), result
 
 
 def damper(scenario: Scenario, law: str) -> tuple[FloatArray, FloatArray]:

@@ -8,8 +8,6 @@ heights, the speed plan and the controllers' commands, each of which is checked 
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import ceil
-from typing import Any
-from unittest.mock import patch
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +18,7 @@ from sim_core.road.profile import road_profile
 from sim_core.simulate import prepare, simulate
 from sim_core.speed.profile import SpeedProfile
 from tests.results import metrics
+from tests.validation.caught import returned
 from tests.validation.reference.sampled import interval, to_deflections
 from tests.validation.reference.vehicle import OUTPUTS, behind, state_space
 from tests.validation.reference.weighting import weighted
@@ -121,17 +120,10 @@ def errors(scenario: Scenario, name: str, result: StrategyResult) -> dict[str, f
 
 def _ecu_commands(scenario: Scenario) -> tuple[Array, float]:
     """The commands in each short step of a run of `lv_hil`, and the short step [s]."""
-    caught: list[tuple[Array, float]] = []
-    drive_loop = DelayedLoop.run
-
-    def caught_run(self: DelayedLoop) -> Any:
-        trajectory = drive_loop(self)
-        caught.append((trajectory.loop[1:, -2:], self.setup.short_step))
-        return trajectory
-
-    with patch.object(DelayedLoop, "run", caught_run):
+    with returned(DelayedLoop, "run") as runs:
         simulate(scenario, "lv_hil")  # its ECU by the model in NumPy
-    return caught[0]
+    loop, trajectory = runs[0]
+    return trajectory.loop[1:, -2:], loop.setup.short_step
 
 
 def _drive(
