@@ -62,8 +62,7 @@ COPY client/ridelab/ ridelab/
 COPY --from=frontend /build/dist frontend/dist/
 COPY --from=manual /build/build/manual build/manual/
 # Bytecode now: the file system is read-only later.
-RUN /opt/ridelab/bin/python -m compileall -q sim_core backend ridelab
-RUN chmod -R a+rX .
+RUN /opt/ridelab/bin/python -m compileall -q sim_core backend ridelab && chmod -R a+rX .
 
 FROM python:3.11-slim
 COPY --from=program /opt/ridelab /opt/ridelab
