@@ -1,13 +1,15 @@
 """Tables that were sent: described, or read by a worker; what is wrong or unsure in them is a problem."""
 
 import json
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
 from math import isfinite
+from pathlib import Path
 from typing import Any, TypeVar
 
 from backend.compute.workers import Workers
-from backend.errors import InvalidError, UnsureError
+from backend.errors import BusyError, InvalidError, TooManyRequestsError, UnsureError
 from backend.gate import Gate
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS
@@ -15,6 +17,7 @@ from sim_core.tables.errors import TableError, UnsureTableError
 from sim_core.tables.table import read_table
 
 DRAWN = 800  # points
+LARGE_AT_ONCE = 2  # files that were written to disk
 COST = 2.0  # of reading the longest file allowed [s of one core]
 Read = TypeVar("Read")
 
@@ -25,6 +28,7 @@ class Tables:
 
     workers: Workers
     gate: Gate
+    _large: set[str] = field(default_factory=set)  # clients of whom a large file is being read
 
     async def read(self, client: str, read: Callable[..., Read], *file: object) -> Read:
         """Return what a worker reads from a file.
@@ -34,7 +38,7 @@ class Tables:
             InvalidError: It is none of what is read; the message has the line.
             TemporaryError: Too much is being read.
         """
-        with self.gate.computing(client, COST):
+        with self.gate.computing(client, COST), self._place(client, file[0]):
             try:
                 return await self.workers.call(read, *file, client=client, cost=COST)
             except UnsureTableError as error:
@@ -43,12 +47,28 @@ class Tables:
                 place = "" if error.line is None else f"Line {error.line}: "
                 raise InvalidError(f"{place}{error.message}.", pointer="") from None
 
-    async def described(self, client: str, content: bytes, table: Mapping[str, Any] | None) -> dict[str, Any]:
+    @contextmanager
+    def _place(self, client: str, content: object) -> Iterator[None]:
+        """Hold one of the two places of large files, which take memory: one of a client."""
+        if not isinstance(content, Path):
+            yield
+            return
+        if client in self._large:
+            raise TooManyRequestsError("One large file of a client is read at a time.")
+        if len(self._large) >= LARGE_AT_ONCE:
+            raise BusyError(f"{LARGE_AT_ONCE} large files are being read.")
+        self._large.add(client)
+        try:
+            yield
+        finally:
+            self._large.discard(client)
+
+    async def described(self, client: str, content: bytes | Path, table: Mapping[str, Any] | None) -> dict[str, Any]:
         """Return how a file would be read, what has to be asked about it, and a curve of what comes of it."""
         return await self.read(client, describe, content, table)
 
 
-def describe(content: bytes, table: Mapping[str, Any] | None) -> dict[str, Any]:
+def describe(content: bytes | Path, table: Mapping[str, Any] | None) -> dict[str, Any]:
     """Return the description of a table and its curve; by a worker."""
     found = read_table(content, None, table)
     return {"table": found.description(), "curve": _curve(found.guessed)}

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 from fastapi import Path, Query, Response
 
 from backend.api.lists import DEFAULT_LIMIT, Cursor, Limit, Owner
-from backend.api.routing import API, LONGEST_CSV, ApiRequest, router
+from backend.api.routing import API, TABLE_FILES, ApiRequest, router
 from backend.api.tables import DRY_RUN, DryRun, TableParameter, described
 from backend.errors import InvalidError
 from backend.http import problems
@@ -16,7 +16,7 @@ from backend.recordings.models import CreatedRecording, RecordingAnswer, Recordi
 from backend.tables import parse_table
 from sim_core.tables.titles import unit_in
 
-reading = router("recordings", 408, 413, 415, 422, 429, 503, files={"text/csv": LONGEST_CSV})
+reading = router("recordings", 408, 413, 415, 422, 429, 503, files=TABLE_FILES)
 recordings = router("recordings", 404, 429, 503, computes=True)
 listing = router("recordings", 403, 422, 503)
 EXAMPLE = "time [s],body_acceleration [m/s^2]\n" + "".join(f"{n / 100},{n % 3 - 1}\n" for n in range(12))
@@ -56,7 +56,7 @@ async def create_recording(
     corrections = parse_table(table) or {}
     if columns:
         corrections["columns"] = [*corrections.get("columns", []), *_columns(columns)]
-    content, services = await request.body(), request.services
+    content, services = await request.content(), request.services
     if dry_run:
         return described(await services.tables.described(request.client_id, content, corrections))
     created = await services.recordings.create(content, corrections, request.client_id, request.token)

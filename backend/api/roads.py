@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 from fastapi import Path, Query, Response
 
 from backend.api.lists import DEFAULT_LIMIT, Cursor, Limit, Owner
-from backend.api.routing import API, LONGEST_CSV, ApiRequest, router
+from backend.api.routing import API, TABLE_FILES, ApiRequest, router
 from backend.api.tables import DRY_RUN, DryRun, TableParameter, described
 from backend.errors import InvalidError
 from backend.http import problems
@@ -21,7 +21,7 @@ LONGEST_GRID = 16 * 1024 * 1024  # of an OpenCRG file [bytes]
 FAR = 100.0  # from the reference line [m]
 
 
-surveying = router("roads", 408, 413, 415, 429, 503, files={"text/csv": LONGEST_CSV, OPENCRG: LONGEST_GRID})
+surveying = router("roads", 408, 413, 415, 429, 503, files={**TABLE_FILES, OPENCRG: LONGEST_GRID})
 roads = router("roads", 404, 429, 503, computes=True)
 listing = router("roads", 403, 422, 503)
 EXAMPLE = "distance [m],height [mm]\n0,0\n5,12\n10,3\n"
@@ -57,7 +57,7 @@ async def create_road(
     What a table's columns mean is found, or asked by a 422 `table-unsure`; `dry_run` answers how it would be read. Of
     OpenCRG two wheel tracks are taken, 0.75 m left and right of the reference line if `left` and `right` say no other.
     """
-    content, corrections, services = await request.body(), parse_table(table), request.services
+    content, corrections, services = await request.content(), parse_table(table), request.services
     if request.headers["content-type"].lower().startswith(OPENCRG):
         if dry_run or corrections:
             raise InvalidError("An OpenCRG file says itself what it holds", parameter="dry_run" if dry_run else "table")

@@ -5,8 +5,9 @@ import ipaddress
 from collections import Counter
 from collections.abc import AsyncIterator, Callable, Coroutine, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import ExitStack, asynccontextmanager, nullcontext
+from contextlib import ExitStack, asynccontextmanager, closing, nullcontext
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import orjson
@@ -22,18 +23,22 @@ from starlette.requests import ClientDisconnect
 from backend.errors import InvalidError
 from backend.http import problems
 from backend.http.problems import MOST_ERRORS, RequestError
+from backend.http.spool import refused_where_full
 from backend.http.strict_json import MAX_VALUES, parse
 from backend.plain_text import MESSAGE, is_plain
 from backend.runs.reports.page import Report
 from backend.services import Services
 from backend.settings import MAX_BODY_BYTES
 from backend.unknown_names import is_name, pointer, unknown_name
+from sim_core.tables.text import MAX_BYTES
 
 API = "/api/v1"
+SPREADSHEET = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"
 BULKY = 64 * 1024  # a longer body counts and is parsed beside the event loop; a scenario is a few kB [bytes]
 IPV6_PREFIX = 64  # bits: one customer of a provider usually has 2^64 addresses
-LONGEST_CSV = 4 * 1024 * 1024  # [bytes]
+LONGEST_IN_MEMORY = 4 * 1024 * 1024  # of a longer file the rest is written to disk as it comes [bytes]
 SCENARIO_VALUES = 10_000  # a scenario has about a hundred
+TABLE_FILES = dict.fromkeys(("text/csv", SPREADSHEET), MAX_BYTES)
 JSON_BODY = {"application/json": MAX_BODY_BYTES}
 
 # One thread: the next long body waits, so that they never crowd out the event loop, whose lock they share.
@@ -47,11 +52,17 @@ class ApiRequest(Request):
         services: Of the application.
         token: Name of its token; None where the service has no tokens.
         client_id: Who counts as one client: the token, or else the address, from the server or a trusted proxy.
+        file: Where a long body of a file lies until the request is answered; None where `body` has it.
     """
 
     services: Services
     token: str | None
     client_id: str
+    file: Path | None = None
+
+    async def content(self) -> bytes | Path:
+        """Return the file that is sent, or where it lies."""
+        return self.file or await self.body()
 
 
 class StrictRoute(APIRoute):
@@ -163,17 +174,43 @@ async def _read_body(request: ApiRequest, types: Mapping[str, int], held: ExitSt
     announced = int(length[:12]) if length.isdecimal() else 0
     if announced > longest:
         raise RequestError("too-long", too_long)
-    async for piece in request.stream():
+    stream = request.stream()
+    async for piece in stream:
         pieces += piece
         expected = max(announced, len(pieces))
         if expected > longest:
             raise RequestError("too-long", too_long)
+        if len(pieces) > LONGEST_IN_MEMORY:
+            request.file = await _spooled(request, pieces, stream, announced or longest, held)
+            if request.file.stat().st_size > longest:
+                raise RequestError("too-long", too_long)
+            pieces.clear()
+            break
         if expected > max(counted, BULKY):
-            more = max(expected, min(longest, 2 * counted)) - counted
+            more = max(min(expected, LONGEST_IN_MEMORY), min(longest, 2 * counted)) - counted
             held.enter_context(request.services.gate.memory.hold(request.client_id, more))
             counted += more
     request._body = bytes(pieces)  # what the framework would read itself, and call any error a malformed body
     return request._body
+
+
+async def _spooled(
+    request: ApiRequest, begun: bytearray, stream: AsyncIterator[bytes], size: int, held: ExitStack
+) -> Path:
+    """Write a body of about so many bytes to disk, which is freed with `held`; return where it lies.
+
+    Raises:
+        CostLimitError, TemporaryError: There is no space for it.
+    """
+    spool = request.services.spool.file(request.client_id, size, advice="send a shorter one")
+    held.enter_context(closing(spool))
+    with refused_where_full(), spool.path.open("wb") as file:
+        written = file.write(begun)
+        async for piece in stream:
+            written += await asyncio.to_thread(file.write, piece)
+            if written > size:
+                break
+    return spool.path
 
 
 def _with_nested_scenario(body: Any) -> Any:

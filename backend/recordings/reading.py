@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from sim_core.scenario.recorded import RecordedDrive
@@ -19,7 +20,7 @@ class Reading:
     warnings: Sequence[str]
 
 
-def read(content: bytes, table: Mapping[str, Any] | None = None) -> Reading:
+def read(content: bytes | Path, table: Mapping[str, Any] | None = None) -> Reading:
     """Return the recording of a table, with corrections as of `sim_core.read_table`.
 
     Raises:

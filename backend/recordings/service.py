@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -29,7 +30,7 @@ class Recordings:
     tables: Tables
 
     async def create(
-        self, content: bytes, table: Mapping[str, Any] | None, client: str, owner: str | None
+        self, content: bytes | Path, table: Mapping[str, Any] | None, client: str, owner: str | None
     ) -> CreatedRecording:
         """Read a file that a token sent, and store its recording; the first arguments as of `reading.read`.
 

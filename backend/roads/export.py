@@ -7,22 +7,15 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.scenario.measured import ID_PATTERN, SPACING, MeasuredRoad
 
-LONGEST_FILE = 4 * 1024 * 1024  # that can be sent [bytes]
 HIGHEST = 1000.0  # of a stored road [m]
 FIRST_LINE = "# Ridelab road {id}: a height every 10 mm, from x = 0\n"
 _EXPORTED = re.compile(rf"\ufeff?# Ridelab road ({ID_PATTERN.strip('^$')}):")
 
 
 def as_csv(road: MeasuredRoad) -> bytes:
-    """Distance and height [m] behind a comment with the road's id; heights alone where the file could not be sent."""
-    head = FIRST_LINE.format(id=road.id)
-    heights = [f"{height:.6f}\n" for height in road.heights()]
-    distances = [f"{index * SPACING:.2f}," for index in range(road.samples)]
-    if sum(map(len, heights)) + sum(map(len, distances)) < LONGEST_FILE - 200:
-        lines = [head, "distance [m],height [m]\n", *map("".join, zip(distances, heights, strict=True))]
-    else:
-        lines = [head, "height [m]\n", *heights]
-    return "".join(lines).encode()
+    """Return distances and heights [m] behind a comment with the road's id."""
+    lines = [f"{index * SPACING:.2f},{height:.6f}\n" for index, height in enumerate(road.heights())]
+    return "".join([FIRST_LINE.format(id=road.id), "distance [m],height [m]\n", *lines]).encode()
 
 
 def exported_id(text: str) -> str | None:

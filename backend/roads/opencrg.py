@@ -5,6 +5,7 @@ Runs in a worker: no web here. docs/explanation/road.md says what is read and wh
 
 from collections.abc import Sequence
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 
@@ -45,12 +46,13 @@ _DIGITS = np.zeros(256, dtype=bool)
 _DIGITS[list(b"0123456789+-.eEdD ")] = True  # all else in a value's place says that it is missing
 
 
-def read(content: bytes, left: float | None = None, right: float | None = None) -> Survey:
+def read(sent: bytes | Path, left: float | None = None, right: float | None = None) -> Survey:
     """Return the road under two wheels, which run beside the reference line at v = `left` and v = `right` [m].
 
     Raises:
         TableError: There is none, or something in it is not supported; `line` is where, None in a binary part.
     """
+    content = sent if isinstance(sent, bytes) else sent.read_bytes()
     header = read_header(content)
     places = places_of(header)
     wheels = _wheels(header, np.sort(list(places.values())), left, right)

@@ -2,6 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
+from io import BytesIO
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -33,13 +35,14 @@ class Survey:
     warnings: list[str] = field(default_factory=list)
 
 
-def read(content: bytes, table: Mapping[str, Any] | None = None) -> Survey:
+def read(content: bytes | Path, table: Mapping[str, Any] | None = None) -> Survey:
     """Return the road of a table, with corrections as of `sim_core.read_table`.
 
     Raises:
         TableError: It is none; an UnsureTableError where it has to be asked about.
     """
-    exported = export.exported_id(content[:200].decode(errors="replace"))
+    with content.open("rb") if isinstance(content, Path) else BytesIO(content) as file:
+        exported = export.exported_id(file.read(200).decode(errors="replace"))
     found = read_table(content, ROAD, table if exported is None else {"clock": {"spacing": SPACING}})
     distance, *tracks = (found.signals[key] for key in MEANINGS[ROAD] if key in found.signals)
     check_heights(tracks, [None] * len(distance))

@@ -38,26 +38,30 @@ def read(text: str, layout: Layout, decimal: str, columns: Sequence[Column]) -> 
     """
     used = [each for each in columns if each.means is not None]
     clocks = {CLOCK_UNIT: _clock_time, DIGITS_UNIT: _clock_digits}
-    read_cell = [clocks.get(each.unit) or _number(decimal) for each in used]
+    readers = [(clocks.get(each.unit) or _number(decimal), each.index) for each in used]
     stored = [array("d") for _ in used]
     lines = array("l")
-    last = max(each.index for each in used)
+    width, last = len(layout.titles), max(each.index for each in used)
     foreign: list[int] = []
     for line, cells in texts.rows(text, layout.separator, layout.first_row):
         if not any(cells) or texts.is_comment(cells):
             continue
-        count = len(cells) if cells[-1] else len([cell for cell in cells if cell])
-        if values_share(cells) == 0 or not last < len(cells) or count > len(layout.titles):
+        while len(cells) > width and not cells[-1]:
+            cells.pop()
+        row: list[float] = []
+        try:
+            if last < len(cells) <= width:
+                for reading, place in readers:
+                    row.append(reading(cells[place]))
+        except ValueError:
+            if values_share(cells):
+                raise TableError(f"A value of “{used[len(row)].title}” is not a number", line) from None
+            row = []
+        if not row:
             foreign.append(line)
             continue
         if foreign:
             raise TableError("This line, with values behind it, is not like the others", foreign[0])
-        row = []
-        for column, reading in zip(used, read_cell, strict=True):
-            try:
-                row.append(reading(cells[column.index]))
-            except ValueError:
-                raise TableError(f"A value of “{column.title}” is not a number", line) from None
         lines.append(line)
         for numbers, value in zip(stored, row, strict=True):
             numbers.append(value)
@@ -67,14 +71,16 @@ def read(text: str, layout: Layout, decimal: str, columns: Sequence[Column]) -> 
 
 
 def _number(decimal: str) -> ReadCell:
+    other = "," if decimal == "." else "."
+
     def read_number(cell: str) -> float:
+        if other not in cell and "_" not in cell:
+            try:
+                return float(cell if decimal == "." else cell.replace(",", "."))
+            except ValueError:
+                pass
         if is_missing(cell):
             return np.nan
-        try:
-            if decimal == "." and "_" not in cell:
-                return float(cell)
-        except ValueError:
-            pass
         value = number(cell, decimal)
         if value is None:
             raise ValueError

@@ -12,11 +12,13 @@ from sqlalchemy import delete, update
 
 from backend.db.columns import UNCHECKED
 from backend.db.tables import results, roads, run_roads
+from backend.errors import BusyError, TooManyRequestsError
 from backend.roads.samples import HUMP as HUMP_OF_STREET
 from backend.roads.samples import POTHOLE, SAMPLES
 from backend.roads.survey import read
 from ridelab import Ridelab, RidelabAPIError
 from sim_core import Scenario, simulate
+from sim_core.tables.text import MAX_BYTES
 from tests.api.conftest import Service
 from tests.servers.batches import computed
 from tests.servers.batches import rows as rows_of
@@ -65,6 +67,19 @@ def test_a_road_is_known_by_its_content_and_the_same_when_its_export_is_sent(
     assert (again.json()["id"], again.json()["bumps"]) == (sent["id"], sent["bumps"])
     missing = client.get(f"/api/v1/roads/{MISSING}", params={"format": "csv"})
     assert (missing.status_code, missing.headers["content-type"]) == (404, "application/problem+json")
+
+
+def test_a_long_file_is_read_from_disk_one_of_a_client_at_a_time(
+    service: Service, sent: dict[str, Any], tmp_path: Path
+) -> None:
+    long = FILE + "# a comment\n" * 400_000
+    assert send(service, long).json()["id"] == sent["id"]
+    assert not list((service.services.settings.data_dir / "spool").glob("*"))
+    tables = service.services.tables
+    with tables._place("one", tmp_path), pytest.raises(TooManyRequestsError), tables._place("one", tmp_path):
+        pass
+    with tables._place("one", tmp_path), tables._place("two", tmp_path), pytest.raises(BusyError):
+        tables._place("three", tmp_path).__enter__()
 
 
 def test_a_road_that_is_not_sure_is_asked_about_and_read_by_the_answers(
@@ -207,7 +222,7 @@ OPENCRG = {"Content-Type": "application/x-opencrg"}
         ("", {}, CSV, 422),
         (HEAD, {}, {"Content-Type": "application/json"}, 415),
         (HEAD, {}, {**CSV, "Content-Encoding": "gzip"}, 415),
-        ("0" * (4 * 1024 * 1024 + 1), {}, CSV, 413),
+        ("0" * (MAX_BYTES + 1), {}, CSV, 413),
         (FILE, {"right": -0.5}, CSV, 422),
         ("$CT\n", {}, OPENCRG, 422),
         ("0" * (16 * 1024 * 1024 + 1), {}, OPENCRG, 413),

@@ -11,15 +11,15 @@ from pathlib import Path
 import httpx
 import pytest
 
-from backend.api.roads import LONGEST_GRID
 from backend.http.problems import Problem
 from backend.settings import MAX_BODY_BYTES
+from sim_core.tables.text import MAX_BYTES
 from tests.cluster.replica import Replica
 from tests.servers.haproxy import Proxy
 from tests.servers.process import HANG_TIMEOUT, request, wait_until
 from tests.servers.programs import make_secrets
 
-LONGEST, LONGEST_ROAD = MAX_BODY_BYTES, LONGEST_GRID
+LONGEST, LONGEST_ROAD = MAX_BODY_BYTES, MAX_BYTES
 REQUEST_TIMEOUT = 2.0  # what the hasty proxy gives a request to arrive; ten seconds in production [s]
 
 

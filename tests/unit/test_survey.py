@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from backend.roads.export import LONGEST_FILE, as_csv
+from backend.roads.export import as_csv
 from backend.roads.survey import read
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.tables.errors import TableError
@@ -66,7 +66,6 @@ def test_an_exported_road_is_read_as_the_same_road(samples: int, scale: float) -
     """The longest and highest one too: its file can be sent."""
     road = MeasuredRoad.of(-scale * (1 + 0.1 * np.random.default_rng(1).standard_normal(samples)))
     content = as_csv(road)
-    assert len(content) <= LONGEST_FILE
     again = read(b"\xef\xbb\xbf" + content.replace(b"\n", b"\r\n"))
     assert again.road == road
     assert again.warnings == ["This is an exported road: its heights are taken as they are"]
