@@ -24,6 +24,23 @@ class Mine(Controller):
     def force(self, seen):
         return -self.damping * seen.state[4], -self.damping * seen.state[4]
 '''
+BY_STAGE = """
+import numpy as np
+from sim_core import Controller, LinearLaw
+
+
+class Harder(Controller):
+    'Damps the body, on the bump twice as hard.'
+    id, label = "harder", "Harder"
+
+    def start(self, setup):
+        gain = np.zeros((2, 10))
+        gain[:, 4], gain[:, 8:] = -1000.0, np.eye(2) / 2
+        self._laws = {stage: LinearLaw(gain=gain * (1 + (stage == "bump"))) for stage in setup.stages}
+
+    def linear_law(self, stage):
+        return self._laws[stage]
+"""
 
 
 @contextmanager

@@ -7,47 +7,16 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from pythonfmu.builder import FmuBuilder
 
 from backend.custom_controllers import registry
 from backend.fmu.archive import fmu
 from sim_core import Scenario, load_controllers, simulate
 from tests.api.conftest import Service
-from tests.api.own_laws import LAW, SCENARIO, driven, own, told_of
+from tests.api.own_laws import BY_STAGE, LAW, SCENARIO, driven, own, told_of
 from tests.importer import Importer
 from tests.servers.batches import computed, wait_for
 from tests.servers.process import wait_until
 
-BY_STAGE = """
-import numpy as np
-from sim_core import Controller, LinearLaw
-
-
-class Harder(Controller):
-    'Damps the body, on the bump twice as hard.'
-    id, label = "harder", "Harder"
-
-    def start(self, setup):
-        gain = np.zeros((2, 10))
-        gain[:, 4], gain[:, 8:] = -1000.0, np.eye(2) / 2
-        self._laws = {stage: LinearLaw(gain=gain * (1 + (stage == "bump"))) for stage in setup.stages}
-
-    def linear_law(self, stage):
-        return self._laws[stage]
-"""
-AHEAD = """
-from sim_core import Controller
-
-
-class Ahead(Controller):
-    'Lifts its wheels before a rise that it sees coming.'
-    id, label = "ahead", "Ahead"
-    preview = "lookahead"
-    prediction_horizon = 20
-
-    def force(self, seen):
-        return 8000.0 * (seen.preview[0] - seen.preview[9]) - 2000.0 * seen.state[4]
-"""
 BROKEN = {
     "raises": "return 1 / 0",
     "nan": "return float('nan'), 0.0",
@@ -123,7 +92,8 @@ def test_a_file_is_a_strategy_and_a_saved_one_another_law(service: Service, fold
 def test_who_looks_ahead_has_a_result_of_its_own_for_each_error_of_the_sensors(service: Service, folder: Path) -> None:
     """Its preview is a plain attribute. Those that look nowhere ahead have one result for all of them."""
     file = folder / "ahead.py"
-    file.write_text(AHEAD)
+    looks = named("ahead", "return 8000.0 * (seen.preview[0] - seen.preview[9]) - 2000.0 * seen.state[4]")
+    file.write_text(looks.replace("    damping", '    preview, prediction_horizon = "lookahead", 20\n    damping', 1))
     kind, seen = load_controllers(file)["ahead"], list[float]()
     driven(service, ["mine"])
     for gain in (1, 0, 2):
@@ -174,32 +144,10 @@ def test_a_law_of_ones_own_that_is_linear_leaves_as_an_fmu(service: Service, fol
         assert (refused.status_code, said in refused.json()["detail"]) == (422, True), refused.text
 
 
-CRASHES = """
-import os
-from pythonfmu import Fmi2Causality, Fmi2Slave, Real
-
-
-class Crashes(Fmi2Slave):
-    def __init__(self, **values):
-        super().__init__(**values)
-        self.force_front = self.force_rear = 0.0
-        self.register_variable(Real("force_front", causality=Fmi2Causality.output))
-        self.register_variable(Real("force_rear", causality=Fmi2Causality.output))
-
-    def do_step(self, time, step):
-        os.kill(os.getpid(), 11)
-"""
-
-
-def test_an_fmu_is_a_strategy_too_and_one_that_crashes_costs_its_own_column(service: Service, folder: Path) -> None:
-    exported = fmu(Scenario.model_validate(SCENARIO), "lqr", "controller", "2.0", ["linux64"])
-    (folder / "theirs.fmu").write_bytes(exported)
-    (folder / "_crashes.py").write_text(CRASHES)
-    FmuBuilder.build_FMU(folder / "_crashes.py", dest=folder)
-    options = own(service)["theirs"]["options"]["properties"]
-    assert options["force_limit"]["unit"] == "N"
-    outcomes = driven(service, ["theirs", "crashes", "lqr"])
-    assert outcomes["crashes"]["reason"] == "Crashes.fmu: it ended its process by SIGSEGV"
+def test_an_fmu_is_a_strategy_too(service: Service, folder: Path) -> None:
+    (folder / "theirs.fmu").write_bytes(fmu(Scenario.model_validate(SCENARIO), "lqr", "controller", "2.0", ["linux64"]))
+    assert own(service)["theirs"]["options"]["properties"]["force_limit"]["unit"] == "N"
+    outcomes = driven(service, ["theirs", "lqr"])
     ours, theirs = (outcomes[name]["metrics"]["whole"]["body_acceleration"]["rms"] for name in ("lqr", "theirs"))
     assert theirs == pytest.approx(ours, rel=1e-9)
 

@@ -10,28 +10,13 @@ from sim_core.frequency.stability import least_damping
 from sim_core.scenario import Scenario
 from tests import wording
 from tests.api.conftest import ROAD, Service
-from tests.api.own_laws import LAW, SCENARIO, driven, own, told_of
+from tests.api.own_laws import BY_STAGE, LAW, SCENARIO, driven, own, told_of
 from tests.api.refusals import check_refused
 from tests.api.tuning import begin, get, trials, wait_for
 from tests.servers.batches import computed
 
 MINE = LAW.replace("    damping", "    hard: bool = option(False)\n    damping")
 _CLASS = LAW.partition("\n\n\n")[2]
-STEADY = """
-import numpy as np
-from sim_core import Controller, LinearLaw
-
-
-class Steady(Controller):
-    "Damps the body by a linear law."
-    id, label = "steady", "Steady"
-
-    def start(self, setup):
-        self._law = LinearLaw(gain=np.outer([-1.0, -1.0], np.eye(10)[4] * 2000.0))
-
-    def linear_law(self, stage):
-        return self._law
-"""
 FREE = _CLASS.replace("mine", "free").replace("Mine", "Free").replace(", ge=0, le=20_000", "")
 
 
@@ -118,11 +103,11 @@ def test_sweeps_and_searches_take_options(service: Service) -> None:
 
 @pytest.mark.thorough
 def test_a_robustness_study_judges_the_law_that_it_drove(service: Service, folder: Path) -> None:
-    file = folder / "steady.py"
-    file.write_text(STEADY)
+    file = folder / "harder.py"
+    file.write_text(BY_STAGE)
     ranges = {"own.mine.damping": [1000, 9000], "mismatch.body_mass": [0.8, 1.2]}
     sweep = {"latin_hypercube": {"ranges": ranges, "samples": 4}}
-    strategies = ["mine", "steady", "passive"]
+    strategies = ["mine", "harder", "passive"]
     batch = computed(service, scenario=SCENARIO, strategies=strategies, sweep=sweep)["id"]
     summary = f"/api/v1/batches/{batch}/summary?baseline=passive&figures=bump.front_force.peak"
     study = service.get(summary).json()["strategies"]
@@ -130,15 +115,15 @@ def test_a_robustness_study_judges_the_law_that_it_drove(service: Service, folde
     assert forces["nominal"] == driven(service, ["mine"])["mine"]["metrics"]["bump"]["front_force"]["peak"]
     assert 0 < forces["lowest"]["value"] < forces["highest"]["value"]
     law: dict[str, Any] = {"__name__": __name__}
-    exec(STEADY, law)  # noqa: S102 - ours
-    expected = least_damping(Scenario.model_validate(SCENARIO), law["Steady"])
-    assert (study["steady"]["stability"]["nominal"], study["steady"]["stability"]["n"]) == (expected, 4)
+    exec(BY_STAGE, law)  # noqa: S102 - ours
+    expected = least_damping(Scenario.model_validate(SCENARIO), law["Harder"])
+    assert (study["harder"]["stability"]["nominal"], study["harder"]["stability"]["n"]) == (expected, 4)
     assert study["mine"]["stability"]["known"] == 0, "it says no linear law"
-    file.write_text(STEADY.replace("2000", "9000"))
+    file.write_text(BY_STAGE.replace("-1000.0", "-9000.0"))
     anew = summary.replace("passive", "mine")  # computed, not the one that was kept
-    changed = service.get(anew).json()["strategies"]["steady"]
+    changed = service.get(anew).json()["strategies"]["harder"]
     peak = changed["figures"]["bump.front_force.peak"]
-    assert (peak["mean"], peak["nominal"]) == (study["steady"]["figures"]["bump.front_force.peak"]["mean"], None)
+    assert (peak["mean"], peak["nominal"]) == (study["harder"]["figures"]["bump.front_force.peak"]["mean"], None)
     assert changed["stability"]["known"] == 0, "the new law did not drive these"
 
 

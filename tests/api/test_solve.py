@@ -1,6 +1,5 @@
 """The largest value that keeps a limit, over HTTP, by the client and at the command line: known answers."""
 
-import itertools
 import math
 from typing import Any
 
@@ -9,6 +8,7 @@ import pytest
 
 from backend.runs.solve.models import Solution
 from sim_core.comparison.intervals import mean_with_interval
+from tests import wording
 
 PEAK = "bump.body_acceleration.peak"
 SMOOTH = {"road": {"roughness": 0, "length": 118}}
@@ -47,19 +47,6 @@ def test_a_linear_cars_peak_is_proportional_to_the_bump(client: httpx.Client) ->
     assert (solution.unit, solution.metric_unit, solution.warnings, solution.interval) == ("m", "m/s^2", [], None)
     assert solution.runs == len(solution.tried) <= 22
     assert (solution.resolution, solution.resolved_value) == (None, solution.value), "no roughness, no luck"
-
-
-@pytest.mark.parametrize(
-    "asked",
-    [
-        {"scenario": {"road": SMOOTH["road"], "estimation": {"kind": "kalman"}}, "range": [0.01, 0.2]},
-        {"field": "road.roughness", "range": [0, 2.56e-4]},
-    ],
-)
-def test_noise_and_a_roughness_that_is_tried_are_luck_on_a_smooth_road_too(
-    client: httpx.Client, asked: dict[str, Any]
-) -> None:
-    assert solved(client, **{**HEIGHT, **asked}, limit=6.5).resolution == 7
 
 
 def test_its_run_opens_and_asked_again_all_is_stored(client: httpx.Client, worker_calls: list[tuple[Any, ...]]) -> None:
@@ -106,37 +93,9 @@ def test_how_fast_over_a_hump_so_that_the_interval_keeps_the_limit(client: httpx
     assert alone.value > solution.value, "one road's value has no interval to keep"
 
 
-def test_a_metric_that_is_not_monotone_is_said(client: httpx.Client) -> None:
-    """A long bump is a gentle one, but half a wavelength that meets both axles is worse than a shorter one."""
-    body = {**HEIGHT, "field": "road.bump.width", "range": [0.5, 15]}
-    widths = {each.value: each.metric_value for each in solved(client, **body, limit=20).tried}
-    values = list(widths.values())
-    assert any(a is not None and b is not None and a > b for a, b in itertools.pairwise(values))
-    solution = solved(client, **body, limit=4)
-    assert solution.value == 15
-    last_over = max(value for value, peak in widths.items() if peak is not None and peak > 4)
-    said = "\n".join(solution.warnings)
-    assert "not monotone" in said
-    assert f"to {last_over:g} m exceed it" in said
-
-
-def test_all_of_a_range_or_none_of_it(client: httpx.Client) -> None:
-    all_of_it = solved(client, **HEIGHT, range=[0.01, 0.02], limit=4)
-    assert (all_of_it.value, all_of_it.bracket) == (0.02, (0.02, 0.02))
-    assert all_of_it.warnings == []
-    none_of_it = ask(client, **HEIGHT, range=[0.1, 0.2], limit=4)
-    assert none_of_it.status_code == 422
-    problem = none_of_it.json()
-    assert problem["type"].endswith(":no-solution")
-    (place,) = problem["errors"]
-    assert place["pointer"] == "/range"
-    assert place["message"].endswith("is at 0.1 m"), "the least"
-
-
-def test_what_a_field_does_not_change_and_what_cannot_be_driven_is_said(client: httpx.Client) -> None:
-    unread = solved(client, **{**HEIGHT, "field": "speed.target_speed_kmh"}, range=[10, 50], limit=20)
-    assert "Passive does not use speed.target_speed_kmh" in unread.warnings[0]
-    beyond = solved(client, **{**HEIGHT, "field": "road.bump.width"}, range=[10, 26], limit=4)
-    assert beyond.bracket == (18, 18.01), "the road ends at 118 m"
-    assert "The bump must end before the road does" in beyond.warnings[0]
-    assert beyond.runs < len(beyond.tried)
+@pytest.mark.parametrize("asked", wording.asked_in("solutions"))
+def test_what_a_value_does_not_say_is_said_beside_it(client: httpx.Client, asked: Any) -> None:
+    """Random variation, a field that is not read or cannot be driven, a metric that is not monotone, all or none."""
+    answer = ask(client, **HEIGHT | asked).json()
+    parts = ("value", "resolution", "warnings", "errors")
+    wording.check("solutions", asked, {name: answer[name] for name in parts if name in answer})
