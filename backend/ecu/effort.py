@@ -26,10 +26,8 @@ _NUMBER = 4  # of float32 and int32, and of a limit that binds [bytes]
 
 def constants(calibration: Calibration) -> int:
     """Return the flash that tables take [bytes]."""
-    fields = [calibration.input_steps, calibration.A, calibration.B, calibration.E, calibration.bounds]
-    fields += [each for stage in calibration.stages for each in (stage.rows, stage.gram)]
     aligned_axles = -(-calibration.row_count // _NUMBER) * _NUMBER
-    return _OWN_CONSTANTS + _NUMBER * sum(field.size for field in fields) + aligned_axles
+    return _OWN_CONSTANTS + _NUMBER * sum(values.size for values in calibration.arrays.values()) + aligned_axles
 
 
 def variables(calibration: Calibration) -> int:

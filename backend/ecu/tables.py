@@ -17,32 +17,12 @@ _ACROSS = 6  # numbers a line
 
 def fingerprint(calibration: Calibration) -> int:
     """Return the hash of a set of tables: both sides of a connection must have the same."""
-    return zlib.crc32(_body(calibration))
-
-
-def _body(calibration: Calibration) -> bytes:
-    whole = (
-        calibration.intervals,
-        calibration.preview_length,
-        calibration.row_count,
-        int(calibration.predicts),
-        calibration.iterations,
-        highest_code(calibration.bits),
-    )
+    sizes = (calibration.intervals, calibration.preview_length, calibration.row_count, int(calibration.predicts))
+    whole = (*sizes, calibration.iterations, highest_code(calibration.bits))
     real = (calibration.command_step, calibration.slack_price, calibration.inverse_slack_weight)
-    head = struct.pack("<6i3f", *whole, *real)
-    parts = [
-        _single(part)
-        for part in (calibration.input_steps, calibration.A, calibration.B, calibration.E, calibration.bounds)
-    ]
-    parts.append(np.array(calibration.axles, dtype=np.int8).tobytes())
-    for stage in calibration.stages:
-        parts += [_single(stage.rows), _single(stage.gram)]
-    return b"".join([head, *parts])
-
-
-def _single(values: FloatArray) -> bytes:
-    return np.ascontiguousarray(values, dtype="<f4").tobytes()
+    parts = [np.ascontiguousarray(values, dtype="<f4").tobytes() for values in calibration.arrays.values()]
+    parts.insert(5, np.array(calibration.axles, dtype=np.int8).tobytes())  # before those of the stages
+    return zlib.crc32(struct.pack("<6i3f", *whole, *real) + b"".join(parts))
 
 
 def calibration_header(calibration: Calibration) -> str:
@@ -71,20 +51,10 @@ def calibration_header(calibration: Calibration) -> str:
 
 def tables_source(calibration: Calibration) -> str:
     """Return `ridelab_tables.c`: the tables, and the memory that they need."""
-    single = {
-        "input_steps": calibration.input_steps,
-        "a": calibration.A,
-        "b": calibration.B,
-        "e": calibration.E,
-        "bounds": calibration.bounds,
-    }
-    lines = ["/* Generated. */", '#include "ridelab_calibration.h"', ""]
-    for name, values in single.items():
-        lines += _array(name, values)
     axles = ", ".join(map(str, calibration.axles))
+    lines = ["/* Generated. */", '#include "ridelab_calibration.h"', ""]
     lines += [f"static const int8_t axles[{len(calibration.axles)}] = {{{axles}}};", ""]
-    for stage, tables in zip(STAGES, calibration.stages, strict=True):
-        lines += [*_array(f"{stage}_effects", tables.rows), *_array(f"{stage}_gram", tables.gram)]
+    lines += [line for name, values in calibration.arrays.items() for line in _array(name, values)]
     fields = {
         "intervals": str(calibration.intervals),
         "previewed": str(calibration.preview_length),
@@ -96,7 +66,7 @@ def tables_source(calibration: Calibration) -> str:
         "command_step": _text(calibration.command_step),
         "slack_price": _text(calibration.slack_price),
         "inverse_slack_weight": _text(calibration.inverse_slack_weight),
-        **{name: name for name in single},
+        **{name: name for name in ("input_steps", "a", "b", "e", "bounds")},
         "axles": "axles",
         "effects": "{" + ", ".join(f"{stage}_effects" for stage in STAGES) + "}",
         "gram": "{" + ", ".join(f"{stage}_gram" for stage in STAGES) + "}",

@@ -129,9 +129,7 @@ def _ecu_numbers(calibration: Calibration, setup: Setup) -> FloatArray:
     sizes = calibration.intervals, calibration.row_count, calibration.most_active
     whole = *sizes, calibration.predicts, highest_code(calibration.bits)
     single = [calibration.command_step, calibration.slack_price, calibration.inverse_slack_weight]
-    tables = [calibration.input_steps, calibration.A, calibration.B, calibration.E, calibration.bounds]
-    tables += [each for stage in calibration.stages for each in (stage.rows, stage.gram)]
-    rounded = np.concatenate([single, *map(np.ravel, tables)]).astype(np.float32)
+    rounded = np.concatenate([single, *map(np.ravel, calibration.arrays.values())]).astype(np.float32)
     full_scale = [channel.full_scale for channel in (*SENSORS, *PREVIEW)]
     own = [setup.preview_steps, setup.sample_time, calibration.command_step * KILO, *full_scale]
     return np.concatenate([own, whole, calibration.axles, rounded])

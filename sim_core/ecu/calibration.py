@@ -72,6 +72,14 @@ class Calibration:
     stages: tuple[StageTables, ...]
 
     @property
+    def arrays(self) -> dict[str, FloatArray]:
+        """All tables by their names in exported C: the car's and the limits, then each stage's."""
+        shared = {"input_steps": self.input_steps, "a": self.A, "b": self.B, "e": self.E, "bounds": self.bounds}
+        for stage, each in zip(STAGES, self.stages, strict=True):
+            shared |= {f"{stage}_effects": each.rows, f"{stage}_gram": each.gram}
+        return shared
+
+    @property
     def row_count(self) -> int:
         """Rows a stage has."""
         return len(self.bounds)
