@@ -55,19 +55,17 @@ def back_up(settings: Settings, target: Path, *, overwrite: bool) -> Backup:
     if file.path.stat().st_size == 0:  # SQLite takes it for a database without tables
         raise CommandError(f"{file.path} is empty, so there is nothing to copy")
     _check_target(file.path, target, overwrite=overwrite)
-    handle, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
-    temporary = Path(name)
-    try:
-        seconds = _copy(file.path, temporary)
-        shutil.copymode(file.path, temporary)
-        os.fsync(handle)
-        _put_in_place(temporary, target, overwrite=overwrite)
-    except sqlite3.Error as error:
-        raise CommandError(f"No copy of {file.path} was made: {reason(error)}") from error
-    finally:
-        os.close(handle)
-        temporary.unlink(missing_ok=True)
-    _sync_folder(target.parent)
+    with tempfile.TemporaryDirectory(prefix=f".{target.name}.", dir=target.parent) as folder:
+        copy = Path(folder) / target.name
+        try:
+            seconds = _copy(file.path, copy)
+        except sqlite3.Error as error:
+            raise CommandError(f"No copy of {file.path} was made: {reason(error)}") from error
+        shutil.copymode(file.path, copy)
+        _sync(copy)
+        _check_target(file.path, target, overwrite=overwrite)  # somebody may have put one there meanwhile
+        copy.replace(target)
+    _sync(target.parent)
     return Backup(database=file.path, size=target.stat().st_size, seconds=seconds)
 
 
@@ -79,26 +77,7 @@ def _check_target(database: Path, target: Path, *, overwrite: bool) -> None:
     if target.exists() and target.samefile(database):
         raise CommandError(f"{target} is the database itself")
     if target.exists() and not overwrite:
-        raise _taken(target)
-
-
-def _put_in_place(temporary: Path, target: Path, *, overwrite: bool) -> None:
-    """Give the complete copy its name; an existing file is replaced only on request."""
-    if not overwrite:
-        try:
-            os.link(temporary, target)
-        except FileExistsError:
-            raise _taken(target) from None
-        except OSError:  # a file system without hard links
-            if target.exists():
-                raise _taken(target) from None
-        else:
-            return
-    temporary.replace(target)
-
-
-def _taken(target: Path) -> CommandError:
-    return CommandError(f"{target} is there already; --force replaces it")
+        raise CommandError(f"{target} is there already; --force replaces it")
 
 
 def _copy(database: Path, copy: Path) -> float:
@@ -115,9 +94,9 @@ def _copy(database: Path, copy: Path) -> float:
     return seconds
 
 
-def _sync_folder(folder: Path) -> None:
-    """Sync the folder, so that the file's name survives a power cut."""
-    handle = os.open(folder, os.O_RDONLY)
+def _sync(path: Path) -> None:
+    """Sync a file's content, or a folder's names, so that they survive a power cut."""
+    handle = os.open(path, os.O_RDONLY)
     try:
         os.fsync(handle)
     finally:

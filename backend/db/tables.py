@@ -70,13 +70,18 @@ roads = Table(
     checksum_column("id", "samples", "content", "analysis"),
 )
 
-# By which tokens a road was sent: each lists it, and it goes when the last one takes it back.
-road_owners = Table(
-    "road_owners",
-    metadata,
-    Column("road_id", String(22), ForeignKey("roads.id", ondelete="CASCADE"), primary_key=True),
-    Column("owner", String(64), primary_key=True, index=True),
-)
+
+def _owners(file: str) -> Table:
+    """Return who sent a road or a recording: each token lists it, and it goes when the last one takes it back."""
+    return Table(
+        f"{file}_owners",
+        metadata,
+        Column(f"{file}_id", String(22), ForeignKey(f"{file}s.id", ondelete="CASCADE"), primary_key=True),
+        Column("owner", String(64), primary_key=True, index=True),
+    )
+
+
+road_owners, recording_owners = _owners("road"), _owners("recording")
 
 run_roads = Table(
     "run_roads",
@@ -102,13 +107,6 @@ recordings = Table(
     Column("content", LargeBinary, nullable=False),
     Column("created_at", Utc, nullable=False, default=Now(), index=True),
     checksum_column("id", "samples", "signals", "content"),
-)
-
-recording_owners = Table(
-    "recording_owners",
-    metadata,
-    Column("recording_id", String(22), ForeignKey("recordings.id", ondelete="CASCADE"), primary_key=True),
-    Column("owner", String(64), primary_key=True, index=True),
 )
 
 run_recordings = Table(

@@ -7,7 +7,7 @@ from typing import Any
 from backend.json_types import JsonObject
 from backend.paper import claims, models
 from backend.paper.absolutes import absolutes
-from backend.paper.attribution import COMFORT_FIGURES, EQUAL_SPEED, FACTORS, VARIANTS, compared, sentences, shares
+from backend.paper.attribution import COMFORT_FIGURES, EQUAL_SPEED, VARIANTS, compared, sentences, shares
 from backend.paper.claims import FIGURES, Judged
 from backend.paper.errata import ERRATA
 from backend.paper.interpretations import (
@@ -123,14 +123,7 @@ def attribution(roads: range, runs: RunsByVariant) -> models.AttributionAnswer:
             )
             for variant in VARIANTS
         ],
-        shares=[
-            models.Share(
-                **_named(item.figure),
-                **{factor: getattr(item, factor) for factor in FACTORS},
-                total_change=item.total,
-            )
-            for item in shares(values)
-        ],
+        shares=shares(values),
         sentences=sentences(values),
         equal_speed=[
             models.EqualSpeed(

@@ -11,6 +11,7 @@ from math import log
 from typing import Any, Literal
 
 from backend.paper.claims import FIGURES, scenario_for
+from backend.paper.models import Share
 from sim_core import SpeedPlan
 from sim_core.comparison.intervals import Interval, change_with_interval
 from sim_core.scenario import Preview, Scenario, StageWeights, dotted
@@ -112,18 +113,7 @@ EQUAL_SPEED: tuple[tuple[str, str, str], ...] = (
 Values = Mapping[str, Mapping[Any, Sequence[float]]]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Shares:
-    """Shares of one figure's whole change [%], which add up to 100; `total` is that change [%]."""
-
-    figure: tuple[str, str, str]
-    speed: float
-    preview: float
-    switching: float
-    total: float
-
-
-def shares(values: Values) -> list[Shares]:
+def shares(values: Values) -> list[Share]:
     """Return how much of LV's gain is speed, preview and switching, metric by metric.
 
     From the MPC with equal weights, without preview, at constant speed to LV: Shapley values (Shapley 1953) of the log
@@ -132,7 +122,7 @@ def shares(values: Values) -> list[Shares]:
     return [_shares(figure, values) for figure in FIGURES]
 
 
-def _shares(figure: tuple[str, str, str], values: Values) -> Shares:
+def _shares(figure: tuple[str, str, str], values: Values) -> Share:
     logs = {
         added: log(_mean(values[_corner(added)][figure]))
         for added in (frozenset(order[:size]) for order in permutations(FACTORS) for size in range(len(FACTORS) + 1))
@@ -144,7 +134,8 @@ def _shares(figure: tuple[str, str, str], values: Values) -> Shares:
         for size, factor in enumerate(order):
             parts[factor] += (logs[frozenset(order[: size + 1])] - logs[frozenset(order[:size])]) / len(orders)
     total = change_with_interval(values[LV][figure], values[_corner(frozenset())][figure]).value
-    return Shares(figure=figure, total=total, **{name: 100 * part / whole for name, part in parts.items()})
+    shown = {name: 100 * part / whole for name, part in parts.items()}
+    return Share(**dict(zip(("window", "statistic", "signal"), figure, strict=True)), **shown, total_change=total)
 
 
 def _corner(added: frozenset[str]) -> str:
@@ -168,10 +159,11 @@ def sentences(values: Values) -> list[str]:
         ("bump", "peak", "peaks on the bump"),
         ("rough_road", "rms", "RMS on the rough road"),
     ):
-        of_window = [item for item in by_figure if item.figure[:2] == (window, statistic)]
-        changes = ", ".join(f"{item.total:+z.0f} %" for item in of_window)
+        of_window = [item for item in by_figure if (item.window, item.statistic) == (window, statistic)]
+        changes = ", ".join(f"{item.total_change:+z.0f} %" for item in of_window)
         speed, preview, switching = (
-            _mean([getattr(item, factor) * log(1 + item.total / 100) for item in of_window]) for factor in FACTORS
+            _mean([getattr(item, factor) * log(1 + item.total_change / 100) for item in of_window])
+            for factor in FACTORS
         )
         whole = speed + preview + switching
         lines.append(

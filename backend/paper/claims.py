@@ -74,11 +74,10 @@ def verdict(claim: float, ours: float, *, hil: bool) -> Verdict:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Judged:
-    """One printed change with ours beside it; values are means over the seeds, SI."""
+    """One printed change with ours beside it; `value` is the strategy's mean over the seeds, SI."""
 
     cell: PaperCell
     value: float
-    base: float
     change: Interval
     verdict: Verdict
     certain: bool
@@ -99,7 +98,6 @@ def _judged(cell: PaperCell, values: Values) -> Judged:
     return Judged(
         cell=cell,
         value=sum(ours) / len(ours),
-        base=sum(base) / len(base),
         change=change,
         verdict=judgement,
         certain=ends == {judgement},

@@ -58,19 +58,9 @@ class Recordings:
     async def page(self, owner: str | None, limit: int, cursor: str | None) -> RecordingPage:
         """Return the newest recordings, those that an owner sent or (None) all."""
         rows, following = await self.store.read(self.store.recordings.page, owner, limit, cursor)
-        return RecordingPage(
-            recordings=[
-                RecordingRow(
-                    id=row.id,
-                    strategy=f"{PREFIX}{row.id}",
-                    samples=row.samples,
-                    signals=row.signals.split(","),
-                    created_at=row.created_at,
-                )
-                for row in rows
-            ],
-            next=following,
-        )
+        named = [{"strategy": f"{PREFIX}{row.id}", "signals": row.signals.split(",")} for row in rows]
+        recordings = [RecordingRow(**{**row._mapping, **more}) for row, more in zip(rows, named, strict=True)]
+        return RecordingPage(recordings=recordings, next=following)
 
     async def delete(self, recording: str, owner: str | None) -> None:
         """Take a recording back; see `FileStore.delete`."""

@@ -44,16 +44,8 @@ class MeasuredRoads:
         """
         surveyed = await self.tables.read(client, read, *file)
         await self.store.write(self.store.roads.save, surveyed.road, surveyed.analysis, owner)
-        road = surveyed.road
-        return CreatedRoad(
-            id=road.id,
-            length=road.length,
-            samples=road.samples,
-            bumps=_bumps(surveyed.bumps),
-            warnings=surveyed.warnings,
-            cautions=_cautions(surveyed.analysis, road.length),
-            **surveyed.analysis,
-        )
+        head = _head(surveyed.road, surveyed.bumps, surveyed.analysis)
+        return CreatedRoad(**head, warnings=surveyed.warnings)
 
     async def get(self, road_id: str, points: int, client: str) -> RoadAnswer:
         """Return the stored road with at most so many of its heights.
@@ -66,16 +58,7 @@ class MeasuredRoads:
         analysis = await self.store.read(self.store.roads.analysis, road_id)
         with self.gate.computing(client, 0.0):
             distance, height, bumps = await self.workers.call(drawn, road, points, client=client)
-        return RoadAnswer(
-            id=road.id,
-            length=road.length,
-            samples=road.samples,
-            bumps=_bumps(bumps),
-            distance=distance,
-            height=height,
-            cautions=_cautions(analysis, road.length),
-            **analysis,
-        )
+        return RoadAnswer(**_head(road, bumps, analysis), distance=distance, height=height)
 
     async def page(self, owner: str | None, limit: int, cursor: str | None) -> RoadPage:
         """Return the newest roads, those that an owner sent or (None) all."""
@@ -180,5 +163,13 @@ def drawn(road: MeasuredRoad, points: int) -> tuple[list[float], list[float], li
     return (samples * SPACING).round(2).tolist(), heights[samples].tolist(), bumps_in(heights)
 
 
-def _bumps(bumps: Iterable[DetectedBump]) -> list[FoundBumpAnswer]:
-    return [FoundBumpAnswer(**asdict(each)) for each in bumps]
+def _head(road: MeasuredRoad, bumps: Iterable[DetectedBump], analysis: JsonObject) -> JsonObject:
+    """Return the members of `RoadHead`."""
+    return {
+        "id": road.id,
+        "length": road.length,
+        "samples": road.samples,
+        "bumps": [FoundBumpAnswer(**asdict(each)) for each in bumps],
+        "cautions": _cautions(analysis, road.length),
+        **analysis,
+    }

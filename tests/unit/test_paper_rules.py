@@ -166,7 +166,7 @@ def test_shares_add_up_and_are_right_where_factors_multiply() -> None:
 
     values = {variant.id: {figure: [value(variant.id)] * 3 for figure in FIGURES} for variant in VARIANTS}
     for item in shares(values):
-        assert item.total == pytest.approx(-50.0)
+        assert item.total_change == pytest.approx(-50.0)
         assert item.speed == pytest.approx(100.0)
         assert item.preview == pytest.approx(100 * np.log(0.8) / np.log(0.5))
         assert item.speed + item.preview + item.switching == pytest.approx(100)
