@@ -58,15 +58,20 @@ class Requirement(RequestModel):
         return others or (list(names) if self.max_change is None else [])
 
 
-class RequirementResult(Answer):
-    """How one strategy keeps one requirement."""
+class JudgedRequirement(Answer):
+    """A requirement of one strategy, whose result follows."""
 
     metric: str = Field(description="By its flat name")
     strategy: str
-    baseline: str | None = Field(description="What a change is against; null of others")
+    baseline: str | None = Field(description="What a change is against, at the same point of a batch; null of others")
     max: float | None = Field(description="The requirement's limit, one of these three")
     min: float | None = Field(description="Likewise")
     max_change: float | None = Field(description="Likewise [%]")
+
+
+class RequirementResult(JudgedRequirement):
+    """How one strategy keeps one requirement."""
+
     result: Result = Field(description="`uncertain` where the interval over roads holds the limit")
     value: float | None = Field(
         description="What is held to the limit: the metric, over several roads its mean, or its change against the "

@@ -11,7 +11,7 @@ from backend.jobs.models import Label
 from backend.jobs.problem import JobProblem
 from backend.json_types import JsonObject
 from backend.models import Answer, RequestModel, SentScenario, StrategyName
-from backend.requirements import Requirement, Requirements, Result
+from backend.requirements import JudgedRequirement, Requirement, Requirements, Result
 from backend.store import StoredJob
 from backend.store.job import State
 from sim_core.scenario import Scenario, dotted
@@ -112,15 +112,9 @@ class FailingRun(Answer):
     at: dict[str, Cell] = Field(description="The swept fields' values there, by dotted name")
 
 
-class BatchRequirementResult(Answer):
+class BatchRequirementResult(JudgedRequirement):
     """How the runs of one strategy keep one requirement."""
 
-    metric: str = Field(description="By its flat name")
-    strategy: str
-    baseline: str | None = Field(description="What a change is against, at the same point; null of others")
-    max: float | None = Field(description="The requirement's limit, one of these three")
-    min: float | None = Field(description="Likewise")
-    max_change: float | None = Field(description="Likewise [%]")
     result: Result = Field(description="`pass` where all runs do, `uncertain` while none fails and some have not ended")
     counts: dict[str, int] = Field(
         description="How many runs `pass`, `fail`, are `not_computed`, which is no pass either, and are `unfinished`"

@@ -13,7 +13,6 @@ from backend.jobs.kind import JobKind
 from backend.settings import MAX_BATCH_RUNS, MAX_UNFINISHED_JOBS, Settings
 from backend.store import Store, StoredJob
 from backend.store.job import UNFINISHED, WAITING, State
-from backend.store.pages import cursor_of, place_of
 
 RETRY_AFTER = 30
 
@@ -103,12 +102,8 @@ class Jobs:
         self, *, limit: int, cursor: str | None, state: State | None, label: str | None
     ) -> tuple[list[StoredJob], str | None]:
         """Return the newest jobs without their sweeps, and the cursor of the next page (None: this is the last one)."""
-        before = None if cursor is None else place_of(cursor)
-        page = await self.store.read(
-            self.store.jobs.page, self.kind.name, limit + 1, before=before, state=state, label=label
-        )
-        more, shown = len(page) > limit, page[:limit]
-        return shown, cursor_of(shown[-1].created_at, shown[-1].id) if more else None
+        jobs = self.store.jobs
+        return await self.store.read(jobs.page, self.kind.name, limit, cursor, state=state, label=label)
 
     async def positions(self, *jobs: StoredJob) -> dict[str, int]:
         """Return by id the number of runs of earlier jobs that wait; 0 for a job that runs or has ended."""

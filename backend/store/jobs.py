@@ -36,6 +36,7 @@ from backend.json_types import JsonObject
 from backend.outcome import FAILED
 from backend.store.job import FINAL, UNFINISHED, UNPLANNED, State, StoredJob
 from backend.store.job_events import add_event
+from backend.store.pages import read_page
 from backend.store.trials import StoredTrial
 
 
@@ -104,34 +105,23 @@ class JobStore(RowStore):
         return self._one(select(*WHOLE).where(of_key))
 
     def page(
-        self,
-        kind: str,
-        limit: int,
-        *,
-        before: tuple[datetime, str] | None = None,
-        state: State | None = None,
-        label: str | None = None,
-    ) -> list[StoredJob]:
-        """Return the jobs that users submitted, the newest first, without sweeps.
+        self, kind: str, limit: int, cursor: str | None = None, *, state: State | None = None, label: str | None = None
+    ) -> tuple[list[StoredJob], str | None]:
+        """Return the newest jobs that users submitted, without sweeps; see `read_page`.
 
         Args:
             kind: Of these jobs.
             limit: At most so many.
-            before: When the last one of the page before was created, and its id.
+            cursor: Of the page before.
             state: Only those in that state.
             label: Only those with that label.
         """
         query = select(*WITHOUT_SWEEP).where(jobs.c.kind == kind, jobs.c.parent_id.is_(None))
-        if state is not None:
-            query = query.where(jobs.c.state == state)
-        if label is not None:
-            query = query.where(jobs.c.label == label)
-        if before is not None:
-            time, job_id = before
-            query = query.where(or_(jobs.c.created_at < time, and_(jobs.c.created_at == time, jobs.c.id < job_id)))
+        for column, value in ((jobs.c.state, state), (jobs.c.label, label)):
+            query = query if value is None else query.where(column == value)
         with self._database.reading() as connection:
-            rows = connection.execute(query.order_by(jobs.c.created_at.desc(), jobs.c.id.desc()).limit(limit)).all()
-        return [_job(row) for row in rows]
+            rows, following = read_page(connection, jobs, query, limit, cursor)
+        return [_job(row) for row in rows], following
 
     def unfinished(self) -> list[StoredJob]:
         """Return jobs of every kind that have not ended, without sweeps, in the order they were accepted."""

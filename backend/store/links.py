@@ -50,15 +50,8 @@ class LinkStore(RowStore):
         False, and no change, where retention has removed the batch or a result of the run: from the commit on it
         removes nothing of either. The results with the keys `failed` are not there, as they could not be computed.
         """
-        row = {
-            "slug": link.slug,
-            "kind": link.kind,
-            "run_id": link.target if link.kind == "run" else None,
-            "job_id": link.target if link.kind == "batch" else None,
-            "view": link.view,
-            "owner": link.owner,
-            "pin_of": link.pin_of,
-        }
+        row = {name: getattr(link, name) for name in ("slug", "kind", "view", "owner", "pin_of")}
+        row |= {"run_id": None, "job_id": None, "run_id" if link.kind == "run" else "job_id": link.target}
         contents: list[dict[str, object]] = [{"result_key": key, "content": content} for key, content in pins.items()]
         with self._database.writing() as connection:
             if not _lock_target(connection, link, failed):
@@ -80,16 +73,8 @@ class LinkStore(RowStore):
         (row,) = rows
         if row.revoked_at is not None:
             raise RevokedError
-        return StoredLink(
-            slug=row.slug,
-            kind=row.kind,
-            target=row.run_id or row.job_id,
-            view=row.view,
-            owner=row.owner,
-            pin_of=row.pin_of,
-            created_at=row.created_at,
-            damaged_at=row.damaged_at,
-        )
+        names = ("slug", "kind", "view", "owner", "pin_of", "created_at", "damaged_at")
+        return StoredLink(target=row.run_id or row.job_id, **{name: row._mapping[name] for name in names})
 
     def page(self, owner: str | None, limit: int, cursor: str | None) -> tuple[Sequence[Row[Any]], str | None]:
         """Return the newest links; with an owner those that it made. See `read_page`."""

@@ -10,17 +10,6 @@ CURSOR = r"^\d{16}_[A-Za-z0-9_-]{1,22}$"  # when the last row of a page was crea
 EPOCH, MICROSECOND = datetime(1970, 1, 1, tzinfo=UTC), timedelta(microseconds=1)
 
 
-def cursor_of(created_at: datetime, key: str) -> str:
-    """Return the cursor behind the row of that key."""
-    return f"{(created_at - EPOCH) // MICROSECOND:016}_{key}"
-
-
-def place_of(cursor: str) -> tuple[datetime, str]:
-    """Return when the row before that cursor was created, and its key."""
-    time, _, key = cursor.partition("_")
-    return EPOCH + int(time) * MICROSECOND, key
-
-
 def read_page(
     connection: Connection, table: Table, query: Select[Any], limit: int, cursor: str | None
 ) -> tuple[Sequence[Row[Any]], str | None]:
@@ -35,9 +24,11 @@ def read_page(
     """
     (key,), created = table.primary_key, table.c.created_at
     if cursor is not None:
-        time, last = place_of(cursor)
+        microseconds, _, last = cursor.partition("_")
+        time = EPOCH + int(microseconds) * MICROSECOND
         query = query.where(or_(created < time, and_(created == time, key < last)))
     rows = connection.execute(query.order_by(created.desc(), key.desc()).limit(limit + 1)).all()
-    shown = rows[:limit]
-    more = len(rows) > limit
-    return shown, cursor_of(shown[-1].created_at, shown[-1]._mapping[key.name]) if more else None
+    if len(rows) <= limit:
+        return rows, None
+    last_shown = rows[limit - 1]
+    return rows[:limit], f"{(last_shown.created_at - EPOCH) // MICROSECOND:016}_{last_shown._mapping[key.name]}"

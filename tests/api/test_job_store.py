@@ -67,7 +67,7 @@ def test_an_idempotency_key_has_one_batch_however_many_ask_at_once(store: Store)
     assert [new for _, new in answers].count(True) == 1
     existing = there(store.jobs.by_idempotency_key("sweep", "once"))
     assert existing.id == answers[0][0].id
-    assert len(store.jobs.page("sweep", 10)) == 1
+    assert len(store.jobs.page("sweep", 10)[0]) == 1
     assert store.job_runs.rows(existing.id, -1, 100), "with its runs"
     # Batches without a key never meet.
     assert all(store.jobs.create(replace(BATCH, id=name), rows(), None)[1] for name in "xyz")
@@ -182,8 +182,9 @@ def test_pages_are_the_newest_first_and_hold_each_once(store: Store) -> None:
         created_at = BATCH.created_at + timedelta(hours=number // 3)
         store.jobs.create(replace(BATCH, id=f"{number:02}", created_at=created_at))
     store.jobs.create(replace(BATCH, id="child", parent_id="00"))
-    listed: list[StoredJob] = []
-    while page := store.jobs.page("sweep", 2, before=(listed[-1].created_at, listed[-1].id) if listed else None):
+    listed, cursor = store.jobs.page("sweep", 2)
+    while cursor is not None:
+        page, cursor = store.jobs.page("sweep", 2, cursor)
         listed += page
     assert [job.id for job in listed] == [f"{number:02}" for number in range(8, -1, -1)]
     assert {job.sweep for job in listed} == {None}, "an item of a list is small"
@@ -208,7 +209,7 @@ def test_what_has_ended_is_deleted_with_its_children_unless_a_link_shows_it(
     assert store.jobs.delete(batch.id)
     assert store.jobs.load(batch.id) is None
     assert store.jobs.load("child") is None
-    assert store.jobs.page("sweep", 9) == []
+    assert store.jobs.page("sweep", 9) == ([], None)
     assert store.jobs.create(replace(BATCH, id="again"), [], "once")[1], "its key is free"
     left = []
     while store.jobs.purge():
