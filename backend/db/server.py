@@ -7,8 +7,8 @@ from sqlalchemy import URL, Connection, Engine, create_engine, event
 from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
 
 APPLICATION = "ridelab-"  # a service's connections have this and a random part as their name
-# Who hears nothing for so long ends the connection [s, s, 1]; what was sent may stay unacknowledged for so long [ms].
-KEEPALIVES = {"keepalives_idle": 8, "keepalives_interval": 3, "keepalives_count": 3, "tcp_user_timeout": 12_000}
+# Who waits for the answer to a large transaction and hears nothing for so long ends the connection [s, s, 1].
+KEEPALIVES = {"keepalives_idle": 8, "keepalives_interval": 3, "keepalives_count": 3}
 DEADLOCK = "40P01"  # a SQLSTATE
 LARGE_TIMEOUT = 3600.0  # for an answer to a statement of a large transaction [s]
 # The server's: a statement of an ordinary transaction, and a pause within one, may take so long. What a transaction
