@@ -150,7 +150,7 @@ class Instance:
         )
         instance: int | None = self._function("Instantiate", c_void_p)(
             b"ridelab", c_int(1), description.token.encode(), (folder / "resources").as_uri().encode(),
-            ctypes.byref(self._callbacks), c_int(0), c_int(0),
+            ctypes.byref(self._callbacks), c_int(0), c_int(1),
         )  # fmt: skip
         return instance
 
@@ -161,7 +161,7 @@ class Instance:
         self._log = _LOG_3(log)
         no = c_bool(False)
         instance: int | None = self._function("InstantiateCoSimulation", c_void_p)(
-            b"ridelab", description.token.encode(), f"{folder / 'resources'}{os.sep}".encode(), no, no, no, no,
+            b"ridelab", description.token.encode(), f"{folder / 'resources'}{os.sep}".encode(), no, c_bool(True), no, no,
             POINTER(c_uint)(), c_size_t(0), c_void_p(), self._log, c_void_p(),
         )  # fmt: skip
         return instance
