@@ -159,9 +159,9 @@ class Instance:
             self._log_message(status, message)
 
         self._log = _LOG_3(log)
-        no = c_bool(False)
+        yes, no = c_bool(True), c_bool(False)
         instance: int | None = self._function("InstantiateCoSimulation", c_void_p)(
-            b"ridelab", description.token.encode(), f"{folder / 'resources'}{os.sep}".encode(), no, c_bool(True), no, no,
+            b"ridelab", description.token.encode(), f"{folder / 'resources'}{os.sep}".encode(), no, yes, no, no,
             POINTER(c_uint)(), c_size_t(0), c_void_p(), self._log, c_void_p(),
         )  # fmt: skip
         return instance
