@@ -220,7 +220,7 @@ def _live(
 
 
 def changes_to_strategy(stored: StoredRun, baseline: str) -> JsonObject:
-    """What the strategies of a run over several roads change against one of them.
+    """Return the changes of a run over several roads against one of its strategies.
 
     Raises:
         InvalidError: The run is of one road, or that strategy did not succeed in it.
@@ -258,7 +258,7 @@ def _rows(stored: StoredRun) -> dict[str, Row]:
 
 
 def changes_to_run(stored: StoredRun, against: StoredRun) -> JsonObject:
-    """What a run over several roads changes against another one, strategy by strategy.
+    """Return the changes of a run over several roads against another one, strategy by strategy.
 
     Raises:
         InvalidError: They are not of the same roads, or not of the same core version.

@@ -46,7 +46,7 @@ class Band:
 
     @classmethod
     def of(cls, series: SeriesArray) -> Self:
-        """Of one road."""
+        """Return the band of one road."""
         return cls(roads=1, total=series.astype(np.float64), minimum=series, maximum=series.copy())
 
     def with_road(self, series: SeriesArray) -> "Band":

@@ -115,7 +115,7 @@ class RunCurves:
             return {"figures": {each: figures.filled(each, outcomes, axis) for each in figures.PANELS}}
 
     async def deviations(self, run_id: str, baseline: str | None, client: str) -> Deviations:
-        """How far the curves of a stored run's strategies lie from one's.
+        """Return how far the curves of a stored run's strategies lie from one's.
 
         Raises:
             NotFoundError: No such run.

@@ -1,4 +1,4 @@
-"""How far the curves of a run's strategies lie apart, aligned by position. Runs in a worker: no web here."""
+"""Deviations between the curves of a run's strategies, aligned by position. Runs in a worker: no web here."""
 
 from collections.abc import Mapping
 from math import sqrt

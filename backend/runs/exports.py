@@ -49,7 +49,7 @@ Members = Mapping[str, Callable[[], Columns]]  # by strategy what makes them: th
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Export:
-    """Which time histories to export, and in which format.
+    """The time histories to export, and their format.
 
     Attributes:
         strategies: Ids, in the order they come out.

@@ -21,7 +21,7 @@ from sim_core.strategies import label_of, strategies
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Style:
-    """How one strategy is drawn everywhere."""
+    """The look of one strategy everywhere."""
 
     colour: str
     dark_colour: str  # on a dark screen
@@ -99,7 +99,7 @@ PANELS: dict[str, Panel] = {
 
 
 def style_of(strategy: str) -> Style:
-    """How a strategy is drawn."""
+    """Return the look of a strategy."""
     if (recording := recording_id(strategy)) is not None:
         return RECORDED[sum(recording.encode()) % len(RECORDED)]
     if strategy in STYLES:

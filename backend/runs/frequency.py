@@ -59,7 +59,7 @@ class Response(Answer):
 
 
 class LoopMargin(Answer):
-    """Of one axle's loop, broken where the command leaves the controller, the other one closed."""
+    """Margins of one axle's loop, broken where the command leaves the controller, the other one closed."""
 
     gain: float | None = Field(description="Unstable where its gain is multiplied by this, above 1; null: by none")
     gain_reduction: float | None = Field(description="The same below 1; null: by none")
@@ -72,7 +72,7 @@ def _finite(value: float | None) -> float | None:
 
 
 class Margins(Answer):
-    """How far the loop is from instability."""
+    """Distances of the loop from instability."""
 
     front: LoopMargin
     rear: LoopMargin

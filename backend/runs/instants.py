@@ -85,7 +85,7 @@ def _instant_answer(scenario: Scenario, strategy: str, position: float | None, t
 
 
 def as_answer(strategy: str, seen: Instant) -> InstantAnswer:
-    """As it is sent."""
+    """Return an instant as it is sent."""
     plan = seen.plan
     return InstantAnswer.model_validate(
         {

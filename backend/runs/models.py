@@ -31,7 +31,7 @@ from sim_core.scenario.recorded import recording_id
 
 
 class RunRequest(RequestModel):
-    """What to run, on how many roads; an omitted part of the scenario takes the paper's default."""
+    """A run to compute, on how many roads; an omitted part of the scenario takes the paper's default."""
 
     scenario: SentScenario = Scenario()
     strategies: list[ShownStrategy] = Field(min_length=1, max_length=32, description="A recording is of one road.")
@@ -53,7 +53,7 @@ class RunRequest(RequestModel):
 
 
 class RunBase(Answer):
-    """What every form of a run has."""
+    """Fields of every form of a run."""
 
     core_version: str
     scenario: Scenario
@@ -75,7 +75,7 @@ class LiveRun(RunBase):
 
 
 class JudgedRun(RunBase, WithId):
-    """What every form of a stored run has."""
+    """Fields of every form of a stored run."""
 
     model_config = ConfigDict(json_schema_serialization_defaults_required=False)
 

@@ -69,7 +69,7 @@ class CachedRoadsResult(RoadsResult):
 
 
 class RoadsRunBase(JudgedRun):
-    """What every form of a run over several roads has."""
+    """Fields of every form of a run over several roads."""
 
     roads: int = Field(description="Seeds road.seed, road.seed + 1, …; time histories and events are the first's")
     baseline: str = Field(description="The strategy that changes refer to: the one asked for, else the run's own")
@@ -91,7 +91,7 @@ class CreatedRoadsRun(RoadsRunBase):
 
 
 class PairedChanges(Answer):
-    """What the strategies of a run over several roads change, paired by road."""
+    """Changes of the strategies of a run over several roads, paired by road."""
 
     against: str | None = Field(description="Id of the run, over the same roads, whose same strategies they refer to")
     baseline: str | None = Field(description="The strategy of this run that they refer to instead")

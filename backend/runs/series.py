@@ -80,7 +80,7 @@ def around(start: float, end: float) -> tuple[float, float]:
 
 @dataclass(frozen=True, slots=True)
 class SamplingHints:
-    """Where a run's samples matter most.
+    """Places at which a run's samples matter most.
 
     Attributes:
         breaks: Times [s] at which a window begins or ends whose own extremes have to survive.

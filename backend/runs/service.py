@@ -151,7 +151,7 @@ class Runs:
         return await asyncio.to_thread(answer)
 
     async def changes(self, run_id: str, client: str, *, against: str | None, baseline: str | None) -> JsonObject:
-        """What a run over several roads changes against another one, or its strategies against one of them.
+        """Return the changes of a run over several roads against another one, or against one of its strategies.
 
         Raises:
             NotFoundError: There is no such run.

@@ -220,7 +220,7 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
         return self._http.send("POST", f"{API}/fmus", body=body).content
 
     def controller_report(self, scenario: Scenario) -> dict[str, Any]:
-        """Whether that controller fits a small microcontroller, and what does; takes about ten seconds."""
+        """Return whether that controller fits a small microcontroller, and what does; takes about ten seconds."""
         return self._post("/controller/report", {"scenario": scenario})
 
     def link(self, result: RunResult | Job, view: Mapping[str, Any] | None = None) -> Link:
@@ -242,7 +242,7 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
         self._http.send("DELETE", f"{API}/links/{quoted_id(slug)}")
 
     def open_link(self, slug: str) -> LinkedResult:
-        """What a link pins."""
+        """Return the run or the batch that a link pins."""
         answer = self.get(f"/links/{quoted_id(slug)}")
         plain = {key: answer[key] for key in LinkedResult.__dataclass_fields__ if key not in ("url", "run", "batch")}
         return LinkedResult(

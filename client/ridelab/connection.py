@@ -61,7 +61,7 @@ class Connection:
 
     @property
     def address(self) -> str:
-        """Where the service is, without a login and a slash at the end."""
+        """The service's address, without a login and a slash at the end."""
         return self._http.address
 
     def get(self, path: str, params: Mapping[str, Any] | None = None) -> Any:

@@ -1,4 +1,4 @@
-"""What can go wrong between a client and a service."""
+"""Errors between a client and a service."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -82,7 +82,7 @@ class RidelabAPIError(RidelabClientError):
 
     @property
     def lines(self) -> list[str]:
-        """What to show: `field: message` for each error, or the detail; with the request's id where the log helps."""
+        """Lines to show: `field: message` for each error, or the detail; with the request's id where the log helps."""
         if self.status >= 500 and self.request_id:
             return [f"{self.detail} (request {self.request_id})"]
         named = [f"{error.field}: {error.message}" if error.field else error.message for error in self.errors]

@@ -16,7 +16,7 @@ def fields_of(schema: Mapping[str, Any]) -> dict[str, Mapping[str, Any]]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Limits:
-    """What a field with a number accepts, in its unit.
+    """The numbers that a field accepts, in its unit.
 
     Attributes:
         least: Its smallest value.

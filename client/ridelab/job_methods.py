@@ -1,4 +1,4 @@
-"""What is asked of jobs: batches and tunings are submitted, estimated, found again and listed."""
+"""Methods that submit, estimate, find and list batches and tunings."""
 
 import uuid
 from collections.abc import Mapping, Sequence
@@ -42,7 +42,7 @@ class JobMethods(Connection):
         return Batch(self._http, self._post("/batches", body, idempotency_key or uuid.uuid4().hex))
 
     def estimate(self, scenario: Scenario, strategies: Sequence[str], sweep: Mapping[str, Any]) -> dict[str, Any]:
-        """What a batch would be: `total` runs, `points`, `estimated_cost` [s of one core], `estimated_seconds`."""
+        """Return size and cost of a batch: `total`, `points`, `estimated_cost` [s of one core], `estimated_seconds`."""
         return self._post("/batches", {"scenario": scenario, "strategies": strategies, "sweep": sweep, "dry_run": True})
 
     def get_batch(self, batch_id: str) -> Batch:
@@ -64,7 +64,7 @@ class JobMethods(Connection):
         return Tuning(self._http, self._post("/tunings", request, idempotency_key or uuid.uuid4().hex))
 
     def estimate_tuning(self, request: Mapping[str, Any]) -> dict[str, Any]:
-        """What a tuning would be: `runs`, `generations`, `estimated_cost` [s of one core], `estimated_seconds`."""
+        """Return size and cost of a tuning: `runs`, `generations`, and the rest as of `estimate`."""
         return self._post("/tunings", {**request, "dry_run": True})
 
     def get_tuning(self, tuning_id: str) -> Tuning:

@@ -73,7 +73,7 @@ class Job:
 
     @property
     def finished(self) -> bool:
-        """Whether its state is final."""
+        """Check whether its state is final."""
         return self.state in FINAL
 
     @property
@@ -159,7 +159,7 @@ class Job:
         return self
 
     def events(self, after: str = "") -> Iterator[Event]:
-        """Its events since the event of that id, and then each new one."""
+        """Yield its events since the event of that id, and then each new one."""
         yield from (event for event in self._stream(after) if event is not None)
 
     def _path(self, below: str = "") -> str:
@@ -191,7 +191,7 @@ class Job:
 
     @staticmethod
     def _in_time(end: float | None) -> bool:
-        """Whether a silent stream would be noticed before the deadline; if not, polling is more exact."""
+        """Check whether a silent stream would be noticed before the deadline; if not, polling is more exact."""
         return end is None or time.monotonic() + SILENCE < end
 
     def _take_in(self, data: Mapping[str, Any]) -> None:
@@ -217,21 +217,21 @@ class Batch(Job):
         return self._http.json("GET", self._path("/summary"), params=params)
 
     def sweep(self) -> dict[str, Any]:
-        """Its sweep as it was sent, the fields by dotted names."""
+        """Return its sweep as it was sent, the fields by dotted names."""
         return self._http.json("GET", self._path("/sweep"))
 
     def requirement_results(self) -> list[RequirementResult]:
-        """How its runs keep its requirements: how many pass and fail, and where each first fails."""
+        """Return how its runs keep its requirements: how many pass and fail, and where each first fails."""
         answer = self._http.json("GET", self._path("/requirements"))
         return [RequirementResult.of(each) for each in answer["requirement_results"]]
 
     def rows(self) -> Iterator[dict[str, Any]]:
-        """Its rows as they are computed: swept fields, strategy, status, metrics; one for each run, failed ones too."""
+        """Yield its rows as they are computed: swept fields, strategy, status, metrics; failed runs have one too."""
         with self._http.stream(self._path("/results"), params={"format": "json"}) as response:
             yield from json_rows(response.iter_text())
 
     def frame(self) -> "pd.DataFrame":
-        """Its rows as a pandas frame: a column for each swept field and metric; `frame.attrs["units"]` has the units.
+        """Return its rows as a pandas frame, a column for each swept field and metric, units in `frame.attrs["units"]`.
 
         Raises:
             ImportError: pandas is not installed.
@@ -244,7 +244,7 @@ class Batch(Job):
         return frame
 
     def content(self, file_format: str) -> Iterator[bytes]:
-        """Its results as the bytes of a `csv`, `parquet` or `json` file, piece by piece."""
+        """Return its results as the bytes of a `csv`, `parquet` or `json` file, piece by piece."""
         return table_in(file_format, self._results)
 
     def _results(self, file_format: str) -> Iterator[bytes]:

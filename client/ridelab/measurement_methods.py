@@ -1,4 +1,4 @@
-"""What was measured: roads and recorded drives are sent from files and read again."""
+"""Methods that send measured roads and recorded drives from files, and read them again."""
 
 import json
 import os

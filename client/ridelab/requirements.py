@@ -11,7 +11,7 @@ PASS, FAIL, UNCERTAIN = "pass", "fail", "uncertain"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RequirementResult:
-    """How one strategy keeps one requirement, whose limit is one of `max`, `min` and `max_change`.
+    """Result of one strategy under one requirement, whose limit is one of `max`, `min` and `max_change`.
 
     Attributes:
         metric: By its flat name.
@@ -47,12 +47,12 @@ class RequirementResult:
 
     @property
     def total(self) -> int:
-        """Of a batch how many of its runs are held to the limit; 0 of a run."""
+        """The number of a batch's runs that are held to the limit; 0 of a run."""
         return sum(self.counts.values())
 
     @property
     def not_computed(self) -> int:
-        """Of a batch how many of these have no value; older services count them among those that fail."""
+        """The number of these that have no value; older services count them among those that fail."""
         return self.counts.get("not_computed", 0)
 
     @classmethod
@@ -74,5 +74,5 @@ def required(requirements: Sequence[Requirement], baseline: str | None) -> dict[
 
 
 def failing(results: Iterable[RequirementResult], *, strict: bool = False) -> bool:
-    """Whether one fails; with `strict`, whether one does not pass."""
+    """Check whether one fails; with `strict`, whether one does not pass."""
     return any(each.result == FAIL or (strict and each.result != PASS) for each in results)

@@ -1,4 +1,4 @@
-"""What a service answers, typed. Values are in SI units, speeds that people type in km/h; `units` names each."""
+"""A service's answers, typed. Values are in SI units, speeds that people type in km/h; `units` names each."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -190,7 +190,7 @@ class RunResult:
         return {} if self.service is None else self.service.units
 
     def frame(self) -> "pd.DataFrame":
-        """Its metrics as a pandas frame: a row a strategy, columns as a batch's; over several roads the means.
+        """Return its metrics as a pandas frame: a row a strategy, columns as a batch's; over several roads the means.
 
         `frame.attrs["units"]` has the unit of each metric.
 
@@ -323,7 +323,7 @@ class Link:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LinkedResult:
-    """What a shared link pins: the run or the batch as it was, and how the page showed it."""
+    """The run or the batch that a shared link pins, as it was, and how the page showed it."""
 
     slug: str
     url: str

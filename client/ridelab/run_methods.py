@@ -1,4 +1,4 @@
-"""What is asked of a stored run: changes, single instants, time histories, a report."""
+"""Methods that read a stored run: changes, single instants, time histories, a report."""
 
 import os
 from collections.abc import Iterator, Sequence
@@ -21,7 +21,7 @@ class RunMethods(Connection):
     def changes(
         self, run: RunResult | str, *, against: RunResult | str | None = None, baseline: str | None = None
     ) -> dict[str, Any]:
-        """What the strategies of a run over several roads change, paired road by road; as `changes` of a `RunResult`.
+        """Return the changes of a run over several roads, paired road by road; as `changes` of a `RunResult`.
 
         Changes refer to the run `against`, over the same roads, strategy by strategy, or to the strategy `baseline`.
 
@@ -35,7 +35,7 @@ class RunMethods(Connection):
     def instant(
         self, run: RunResult | str, strategy: str, *, position: float | None = None, time: float | None = None
     ) -> dict[str, Any]:
-        """What a strategy's controller saw and decided at one control step of a stored run; what it has not is None.
+        """Return what a strategy's controller saw and decided at one control step of a stored run.
 
         Args:
             run: The run, or its id; of one over several roads the first road.
@@ -116,7 +116,7 @@ class RunMethods(Connection):
     def differences(
         self, run: RunResult | str, baseline: str | None = None
     ) -> dict[str, dict[str, dict[str, float | None]]]:
-        """How far every strategy's curves lie from those of `baseline` at the same positions.
+        """Return how far every strategy's curves lie from those of `baseline` at the same positions.
 
         Without a baseline they are against passive, or the first strategy where passive does not run.
 

@@ -1,7 +1,6 @@
 """What commands refuse, and what they say: the option or the field, and what helps."""
 
 import shlex
-from pathlib import Path
 
 import httpx
 import pytest
@@ -31,18 +30,3 @@ def test_too_few_roads_for_the_paper_are_said_as_roads(cli: Cli, prepared: Prepa
     prepared.answers["GET /paper"] = httpx.Response(422, json={"status": 422, "detail": "Wrong.", "errors": [wrong]})
     assert cli("paper", "--seeds", "1-10", code=2) == ""
     assert cli.error == "--seeds: 1-10 are 10 roads. Input should be greater than or equal to 20\n"
-
-
-def test_a_recording_whose_columns_are_not_understood_leads_to_the_option(
-    cli: Cli, prepared: Prepared, tmp_path: Path
-) -> None:
-    file = tmp_path / "drive.csv"
-    file.write_text("t,acc\n0,1\n")
-    problem = {"status": 422, "detail": "x", "errors": [{"pointer": "", "message": "Line 1: No column is a signal."}]}
-    prepared.answers["POST /recordings"] = httpx.Response(422, json=problem)
-    hint = f"--column says what a column of {file} is: 'acc_z=body_acceleration [g]'\n"
-    compare = ("compare", "paper", file, "-s", "passive")
-    cli(*compare, code=2)
-    assert cli.error == f"Line 1: No column is a signal.\n{hint}"
-    cli(*compare, "--column", "acc=body_acceleration [g]", code=2)
-    assert cli.error == "Line 1: No column is a signal.\n"

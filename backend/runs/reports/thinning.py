@@ -1,4 +1,4 @@
-"""As many samples of each curve as a report shows."""
+"""Thinning of curves to the samples that a report shows."""
 
 from collections.abc import Mapping
 

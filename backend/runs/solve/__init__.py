@@ -1,1 +1,1 @@
-"""How large a field may be while a metric keeps a limit."""
+"""Search for the largest value of a field while a metric keeps a limit."""

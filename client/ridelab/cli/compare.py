@@ -132,7 +132,7 @@ class Difference:
 
     @property
     def worse(self) -> bool:
-        """Whether b is the worse one: smaller is better, true is better than false, and anything than a failure."""
+        """Check whether b is worse: smaller is better, true is better than false, and anything than a failure."""
         if isinstance(self.a, float | int) and isinstance(self.b, float | int):
             return self.a > self.b if isinstance(self.a, bool) else self.b > self.a
         return self.b is None or self.b in ("failed", "not run")

@@ -14,7 +14,7 @@ from ridelab import fields as scenario_fields
 from ridelab.cli.names import Names
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
-from ridelab.cli.targets import document, find
+from ridelab.cli.targets import document, find, parsed
 from ridelab.fields import Limits, similar
 from ridelab.units import SWITCH, is_number, quantity, starts_as_number, switch, unit_within
 
@@ -161,7 +161,7 @@ def _check_name(name: str, names: Collection[str]) -> None:
 
 
 def read(name: str, text: str, reader: Read, units: Mapping[str, str]) -> Any:
-    """What the text says in that name's unit; `units` is empty where the names are not known here."""
+    """Return what the text says in that name's unit; `units` is empty where the names are not known here."""
     try:
         return reader(text, units.get(name, "1"))
     except ValueError as error:
@@ -173,7 +173,7 @@ def read(name: str, text: str, reader: Read, units: Mapping[str, str]) -> Any:
 def _values(text: str, unit: str) -> list[Any]:
     """`0.05:0.15:11` (both ends, evenly), values with commas, or weights such as `[8,1,1],[2,6,1]`."""
     if text.startswith("["):
-        return list(document(f"[{text}]".encode(), "weights"))
+        return list(parsed(f"[{text}]"))
     if ":" not in text or unit == SWITCH:
         return _together(text.split(","), unit, _value)
     if (span := _SPAN.fullmatch(text)) is None:

@@ -40,7 +40,7 @@ def list_jobs(
 
 
 def show(services: Services, job_id: JobId, as_json: options.AsJson = False) -> None:
-    """How a job stands."""
+    """Show how a job stands."""
     job = targets.job_of(job_id, services)
     if as_json:
         print_json(job.answer)

@@ -54,7 +54,7 @@ class Names:
         return names
 
     def label(self, strategy: str) -> str:
-        """What a strategy is called; its id where the service does not know it."""
+        """Return a strategy's label; its id where the service does not know it."""
         if strategy.startswith("recording:"):
             return f"Recording {strategy[10:16]}"
         return self.strategies.get(strategy, strategy)

@@ -115,7 +115,7 @@ def _distances(item: Mapping[str, Any]) -> str:
 
 
 def _roads(text: str) -> dict[str, int]:
-    """How many roads from which seed on, of `N` or `A-B`; how many there may be the service says."""
+    """Return the number of roads and the first seed of `N` or `A-B`; the service says how many there may be."""
     first, _, last = text.rpartition("-")
     try:
         begin, end = int(first or 1), int(last)

@@ -1,4 +1,4 @@
-"""What a command says, to whom, and with which exit code it ends: notes, JSON, tables, and the files that it writes.
+"""Output of commands: notes, JSON, tables, files that are written, and exit codes.
 
 Whatever a command calls may raise `InputError` and `UnavailableError` besides the client's own errors.
 """
@@ -42,7 +42,7 @@ _PART = re.compile(rf"^({'|'.join(_OPTIONS)})\[\d+\](?:\.\w+)?: ")
 
 
 class InputError(Exception):
-    """What was typed, or a file that was named, cannot be used; `lines` say why, `field: message` for a field."""
+    """A typed word, or a file that was named, cannot be used; `lines` say why, `field: message` for a field."""
 
     def __init__(self, *lines: str) -> None:
         super().__init__(*lines)

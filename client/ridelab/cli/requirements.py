@@ -32,7 +32,7 @@ Junit = Annotated[str | None, options.option("FILE", _JUNIT)]
 
 
 def requirements_of(texts: Sequence[str] | None, services: Services) -> list[dict[str, Any]]:
-    """What each text, or the file that it names, requires; as the service takes it.
+    """Return the requirements of each text, or of the file that it names, as the service takes them.
 
     Raises:
         InputError: It is no requirement.
@@ -75,7 +75,7 @@ def _line(each: RequirementResult, unit: str, strategy: str) -> list[Any]:
 
 
 def _held(each: RequirementResult, unit: str) -> str:
-    """What is held to the limit, with its unit, and over several roads its interval."""
+    """Return the value that is held to the limit, with its unit, and over several roads its interval."""
     value = "" if each.value is None else _with_unit(each, each.value, unit)
     return value if each.low is None else f"{value} ({each.low:.4g} to {each.high:.4g})"
 
@@ -86,13 +86,13 @@ def _with_unit(each: RequirementResult, value: float, unit: str) -> str:
 
 
 def _of_runs(each: RequirementResult, unit: str) -> str:
-    """Of a batch how many of its runs pass or fail, which fail first and worst, and how many have no value."""
+    """Return how many of a batch's runs pass or fail, which fail first and worst, and how many have no value."""
     said = _failing(each, unit) or f"{each.counts[PASS]} of {each.total} runs pass"
     return f"{said}; {each.not_computed} not computed" if each.not_computed else said
 
 
 def _failing(each: RequirementResult, unit: str) -> str:
-    """Of a batch how many of its runs fail, and which first and worst; nothing where none does."""
+    """Return how many of a batch's runs fail, and which first and worst; nothing where none does."""
     first, worst = each.first_failure, each.worst_failure
     if first is None:
         return ""
@@ -170,7 +170,7 @@ def write_junit(cases: Sequence[Case], path: str, suite: str, *, strict: bool) -
 def judged(
     run: RunResult, requirements: Sequence[Requirement], baseline: str | None, name: str, services: Services
 ) -> Sequence[RequirementResult]:
-    """How the strategies of a run, which may be one saved to a file, keep requirements.
+    """Return how the strategies of a run, which may be one saved to a file, keep requirements.
 
     Raises:
         InputError: The service computes other numbers than the file has.

@@ -62,13 +62,13 @@ def check_core() -> None:
 
 
 def core_folder() -> Path | None:
-    """Where the core is installed, and the server beside it if there is one; None without a core."""
+    """Return the folder of the core, and of the server beside it if there is one; None without a core."""
     spec = importlib.util.find_spec("sim_core")
     return None if spec is None or spec.origin is None else Path(spec.origin).parents[1]
 
 
 def default_data_dir() -> Path:
-    """Where the server keeps its data if nobody says it: ./data if that is there, else the system's folder for data."""
+    """Return where the server keeps its data by default: ./data if that is there, else the system's folder for data."""
     here = Path("data")
     if here.is_dir():
         return here
@@ -107,7 +107,7 @@ class Services(ExitStack):
 
     @property
     def private(self) -> bool:
-        """Whether the service ends with the command."""
+        """Check whether the service ends with the command."""
         return self.server is None
 
     @cached_property

@@ -1,4 +1,4 @@
-"""What SCENARIO and RESULT mean on the command line: a file, a preset, an id, an address."""
+"""The meanings of SCENARIO and RESULT on the command line: a file, a preset, an id, an address."""
 
 import json
 import re
@@ -25,7 +25,7 @@ _PAGES = {"r": "get_run", "b": "get_batch", "s": "open_link"}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Target:
-    """What a target names: always a scenario, and the stored result it belongs to if there is one."""
+    """A scenario, and the stored result that it belongs to if there is one."""
 
     name: str
     scenario: dict[str, Any]  # perhaps in part; what is left out takes the paper's value
@@ -70,10 +70,19 @@ def job_of(job_id: str, services: Services) -> Job:
     return job
 
 
+def parsed(text: str) -> Any:
+    """Return what JSON says; a key that stands twice in an object is a mistake, and so is NaN.
+
+    Raises:
+        ValueError: It is none.
+    """
+    return json.loads(text, object_pairs_hook=_once, parse_constant=_no_number)
+
+
 def document(content: bytes, name: str) -> Any:
-    """A JSON document; a key that stands twice in an object is a mistake, and so is NaN."""
+    """Return the JSON of a file, refused by its name."""
     try:
-        return json.loads(content.decode(), object_pairs_hook=_once, parse_constant=_no_number)
+        return parsed(content.decode())
     except UnicodeDecodeError:
         raise InputError(f"{name}: this is not valid UTF-8") from None
     except (ValueError, RecursionError) as error:

@@ -154,7 +154,7 @@ def _show(tuning: Tuning, names: Names) -> None:
 
 
 def _first(answer: Mapping[str, Any], papers: str) -> str:
-    """What the first trial is called: the paper's, as is said, but the defaults of a law of one's own."""
+    """Return the first trial's name: the one given, or the defaults where the controller is one's own."""
     return papers if answer.get("source") is None else "the defaults"
 
 
