@@ -224,12 +224,11 @@ class Controller:
         """Release what `start` took; called once after a run, also after one that failed."""
 
     def _set(self, scenario: Scenario) -> None:
-        """Give each declared field the object's own value, else the scenario's, else its default."""
-        given, options = own_values(self), scenario.own.of(self.id)
+        options, declared, given = scenario.own.of(self.id), self.declared, own_values(self)
         for name in options:
-            if not isinstance(self.declared.get(name), Option):
+            if not isinstance(declared.get(name), Option):
                 raise RefusedError(f"{self.label} has no such option", field=option_name(type(self), name))
-        for name, field in self.declared.items():
+        for name, field in declared.items():
             if name in given:
                 value = given[name]
             elif isinstance(field, ScenarioField):

@@ -72,7 +72,6 @@ def predict(vehicle: Vehicle, sample_time: float, horizon: int, moves: int) -> P
     n = STATES + FORCES + DISTURBANCES
     before, z_moves = np.empty((STATES, horizon, parameters)), np.zeros((n, horizon, free))
     x_parameters, x_moves = np.eye(STATES, parameters), np.zeros((STATES, free))
-    travel_parameters, travel_moves = np.empty((2, horizon, parameters)), np.empty((2, horizon, free))
     for i in range(horizon):
         move = FORCES * min(i, moves - 1)
         columns = LAW_INPUTS + horizon * np.arange(DISTURBANCES) + i
@@ -81,16 +80,17 @@ def predict(vehicle: Vehicle, sample_time: float, horizon: int, moves: int) -> P
         x_parameters, x_moves = A @ x_parameters, A @ x_moves
         x_parameters[:, columns] += E
         x_moves[:, move : move + FORCES] += B
-        travel_parameters[:, i], travel_moves[:, i] = x_parameters[:2], x_moves[:2]
-    on_moves = CENTI * travel_moves.reshape(-1, free)
+    travel_parameters = np.concatenate([before[:2, 1:], x_parameters[:2, None]], axis=1).reshape(-1, parameters)
+    travel_moves = np.concatenate([z_moves[:2, 1:], x_moves[:2, None]], axis=1).reshape(-1, free)
+    on_moves = CENTI * travel_moves
     slack = -np.kron(np.eye(2), np.ones((horizon, 1)))
     return Prediction(
         x_parameters=before.reshape(-1, parameters),
         z_moves=z_moves.reshape(-1, free),
         end_parameters=x_parameters,
         end_moves=x_moves,
-        travel_parameters=travel_parameters.reshape(-1, parameters),
-        travel_moves=travel_moves.reshape(-1, free),
+        travel_parameters=travel_parameters,
+        travel_moves=travel_moves,
         rows=np.block([[on_moves, slack], [-on_moves, slack]]),
     )
 

@@ -12,7 +12,7 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.control.cost import KILO, cost_by_output
-from sim_core.control.mpc_design import SLACK_LINEAR, SLACK_QUADRATIC, MpcDesign, Prediction, predict
+from sim_core.control.mpc_design import SLACK_LINEAR, SLACK_QUADRATIC, MpcDesign, predict
 from sim_core.control.plan import Limit, Plan
 from sim_core.control.qp import AXLES, CENTI, Qps
 from sim_core.control.regulator import regulator
@@ -41,7 +41,7 @@ def make_plan(
     answer, multipliers = qps.y.copy(), qps.multipliers.copy()
     moves, slacks = answer[:-AXLES], answer[-AXLES:]
     horizon = disturbances.shape[1]
-    prediction = _prediction(design, horizon)
+    prediction = predict(design.terms.vehicle, design.terms.sample_time, horizon, design.qp.moves // FORCES)
     before = (prediction.x_parameters @ inputs).reshape(STATES, horizon)
     z = (prediction.z_moves @ moves).reshape(-1, horizon)
     z[:STATES] += before
@@ -59,10 +59,6 @@ def make_plan(
     values = np.concatenate([moves, states[1:, :AXLES].T.ravel() * CENTI])
     limits = _limits(design.qp, qps, inputs, values, multipliers)
     return Plan(states=states, forces=forces, cost=cost, limits=tuple(limits))
-
-
-def _prediction(design: MpcDesign, horizon: int) -> Prediction:
-    return predict(design.terms.vehicle, design.terms.sample_time, horizon, design.qp.moves // FORCES)
 
 
 def _limits(qp: QpDesign, qps: Qps, inputs: FloatArray, values: FloatArray, multipliers: FloatArray) -> list[Limit]:

@@ -8,7 +8,7 @@ signal of the linear car.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf, pi
 
 import numpy as np
@@ -130,22 +130,22 @@ def frequency_response(
     nodes, weights = _band_nodes(loop)
     together = np.concatenate([np.asarray(frequencies, dtype=np.float64), nodes])
     every = dict(zip(RESPONSES, _responses(loop, 2 * pi * together).T, strict=True))
-    count, judged = len(frequencies), None
-    if run.controller.actuated:
-        judged = margins(loop)
-    density = _road_density(scenario, together, speed)
-    psd = bands = None
-    reason = "A measured road has no class, so no spectrum of its height is known" if density is None else None
-    if density is not None:
-        psd = {name: np.abs(every[name]) ** 2 * density for name in outputs}
-        if "body_acceleration" in psd:
-            psd["weighted_body_acceleration"] = psd["body_acceleration"] * wk_gain(together) ** 2
-        bands = {name: np.sqrt(weights @ values[count:]) for name, values in psd.items()}
-        psd = {name: values[:count] for name, values in psd.items()}
-    responses = {name: every[name][:count] for name in outputs}
-    return FrequencyResult(
-        stage=stage, speed=speed, modes=own, responses=responses, margins=judged, psd=psd, bands=bands, reason=reason
+    count = len(frequencies)
+    result = FrequencyResult(
+        stage=stage,
+        speed=speed,
+        modes=own,
+        responses={name: every[name][:count] for name in outputs},
+        margins=margins(loop) if run.controller.actuated else None,
     )
+    if scenario.road.profile is not None:
+        return replace(result, reason="A measured road has no class, so no spectrum of its height is known")
+    density = height_density(scenario.road.roughness, together / speed) / speed  # of the height over frequency [m²/Hz]
+    psd = {name: np.abs(every[name]) ** 2 * density for name in outputs}
+    if "body_acceleration" in psd:
+        psd["weighted_body_acceleration"] = psd["body_acceleration"] * wk_gain(together) ** 2
+    bands = {name: np.sqrt(weights @ values[count:]) for name, values in psd.items()}
+    return replace(result, psd={name: values[:count] for name, values in psd.items()}, bands=bands)
 
 
 def passive_modes(scenario: Scenario) -> tuple[Mode, ...]:
@@ -208,13 +208,6 @@ def _road_in_step(loop: SampledLoop, omega: FloatArray, of_road: ComplexArray) -
         now = added * turn**i
         over = over @ loop.within.T + np.hstack([now @ from_sensors.T + seen, now])
     return np.asarray(over)
-
-
-def _road_density(scenario: Scenario, frequencies: FloatArray, speed: float) -> FloatArray | None:
-    """Return the one-sided density of the road's height over frequency [m²/Hz]; None for a measured road."""
-    if scenario.road.profile is not None:
-        return None
-    return height_density(scenario.road.roughness, frequencies / speed) / speed
 
 
 def _band_nodes(loop: SampledLoop) -> tuple[FloatArray, FloatArray]:

@@ -74,14 +74,11 @@ class Recorder:
         require(position.shape == height.shape == (2, instants) and instants > 1, "Two axles on a road")
         outermost = position[0, 0], position[0, -1], position[1, 0], position[1, -1]
         require(all(map(isfinite, outermost)) and kinks[-1] == np.inf, "An axle is somewhere, no kink last")
-        require(
-            tyres.shape == (3, 2) and clearance.shape == (2, 2), "Two tyres, and two suspensions with stops either way"
-        )
+        two_axles = tyres.shape == (3, 2) and clearance.shape == (2, 2)
+        require(two_axles, "Two tyres, and two suspensions with stops either way")
         require(0 <= first < self.steps, "A record within the drive")
-        require(
-            ends.shape == (sections, 2) and len(max_chord_deviation) == sections > 0,
-            "Every section has two ends and a deviation",
-        )
+        of_sections = ends.shape == (sections, 2) and len(max_chord_deviation) == sections > 0
+        require(of_sections, "Every section has two ends and a deviation")
         on_record = fine * (self.steps - first)
         places = [0, *ends.ravel().tolist(), on_record]
         require(all(a <= b for a, b in pairwise(places)), "Sections ascend within the record")
@@ -90,22 +87,10 @@ class Recorder:
         self.integrals, self.peaks = np.zeros((sections, _METRICS)), np.zeros((sections, _METRICS))
         self._totals = np.zeros(_TOTALS)
         self.samples = np.empty((fine + 1, SIGNALS))
-        self.prepared = _prepare_recorder.prepare(
-            np.array(
-                [fine, first, sections, weighted_samples, instants, *tyres.flat, *clearance.flat], dtype=np.float64
-            ),
-            *(
-                ends,
-                max_chord_deviation,
-                self.integrals,
-                self.peaks,
-                self._totals,
-                weighting,
-                self.samples,
-                np.empty(fine + 1),
-            ),
-            *(samples, len(samples), layout, position, height, kinks),
-        )
+        numbers = np.array([fine, first, sections, weighted_samples, instants, *tyres.flat, *clearance.flat], float)
+        measured = self.integrals, self.peaks, self._totals, weighting, self.samples, np.empty(fine + 1)
+        on_road = samples, len(samples), layout, position, height, kinks
+        self.prepared = _prepare_recorder.prepare(numbers, ends, max_chord_deviation, *measured, *on_road)
 
     def record(self, step: int) -> None:
         """Measure a step of the car whose samples are in `samples`.

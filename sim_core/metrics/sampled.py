@@ -64,8 +64,12 @@ def sampled_sums(
     spans = [None if span is None else (_snapped(time, span[0]), _snapped(time, span[1])) for span in sections]
     parts = [_in_section(time, table, span) for span in spans]
     whole = None if spans[0] is None or None in spans or spans[-1] is None else (spans[0][0], spans[-1][1])
-    power, peak_power = _power(time, table, whole)
-    weighted, step = _weighted(time, table[_ROWS["body_acceleration"]], whole)
+    at, rows = np.zeros(2), np.full((len(table), 2), nan)  # of a drive that was not recorded as a whole
+    weighted, step = np.full(1, nan), 1.0
+    if whole is not None:
+        at, rows = _clip_to_span(time, table, whole)
+        weighted, step = _weighted(at, rows[_ROWS["body_acceleration"]])
+    power = _power(at, rows)
     return Sums(
         time_unit=1.0,
         durations=[nan if span is None else span[1] - span[0] for span in spans],
@@ -75,10 +79,10 @@ def sampled_sums(
         weighted_fourths=float(np.sum(weighted**4)),
         weighted_samples=len(weighted),
         weighted_step=step,
-        power=power,
-        peak_power=peak_power,
-        **_airborne(time, table, whole, static),
-        on_stops=_on_stops(time, table, whole, clearances),
+        power=float(np.trapezoid(power, at)),
+        peak_power=float(power.max()),
+        **_airborne(at, rows, static),
+        on_stops=_on_stops(at, rows, clearances),
     )
 
 
@@ -126,16 +130,13 @@ def _in_section(time: FloatArray, table: FloatArray, span: TimeSpan | None) -> t
     return means @ steps, np.abs(values).max(axis=1)
 
 
-def _power(time: FloatArray, table: FloatArray, span: TimeSpan | None) -> tuple[float, float]:
-    """Return the integral of both actuators' |u·ḋ| [J], and its peak [W]."""
-    if span is None:
-        return nan, nan
-    at, rows = _clip_to_span(time, table, span)
+def _power(time: FloatArray, rows: FloatArray) -> FloatArray:
+    """Return both actuators' |u·ḋ| together (n,) [W]."""
     deflections, forces = (
         rows[[_ROWS[f"{axle}_{kind}"] for axle in ("front", "rear")]] for kind in ("deflection", "force")
     )
-    power = np.abs(forces * np.array([_derivative(each, at) for each in deflections])).sum(axis=0)
-    return float(np.trapezoid(power, at)), float(power.max())
+    speeds = np.array([_derivative(each, time) for each in deflections])
+    return np.asarray(np.abs(forces * speeds).sum(axis=0))
 
 
 def _derivative(values: FloatArray, time: FloatArray) -> FloatArray:
@@ -147,33 +148,25 @@ def _derivative(values: FloatArray, time: FloatArray) -> FloatArray:
     return rate
 
 
-def _airborne(time: FloatArray, table: FloatArray, span: TimeSpan | None, static: TimeSpan) -> dict[str, float]:
+def _airborne(time: FloatArray, rows: FloatArray, static: TimeSpan) -> dict[str, float]:
     """Return for how long any tyre, the front and the rear one was without the load that it has at rest [s]."""
     names = "airborne", "front_airborne", "rear_airborne"
-    if span is None:
-        return dict.fromkeys(names, nan)
-    at, rows = _clip_to_span(time, table, span)
     loads = rows[[_ROWS["front_tyre_load"], _ROWS["rear_tyre_load"]]]
     off = np.where(np.isnan(loads), nan, loads <= -AIRBORNE_SHARE * np.array(static)[:, None])
-    return {name: float(np.trapezoid(each, at)) for name, each in zip(names, (off.max(axis=0), *off), strict=True)}
+    return {name: float(np.trapezoid(each, time)) for name, each in zip(names, (off.max(axis=0), *off), strict=True)}
 
 
-def _on_stops(
-    time: FloatArray, table: FloatArray, span: TimeSpan | None, clearances: tuple[TimeSpan, TimeSpan]
-) -> float:
+def _on_stops(time: FloatArray, rows: FloatArray, clearances: tuple[TimeSpan, TimeSpan]) -> float:
     """Return for how long either suspension was beyond the clearance of its bump stops [s]."""
     down, up = np.array(clearances)[:, :, None]
     if np.isinf(down).all():
         return 0.0
-    if span is None:
-        return nan
-    at, rows = _clip_to_span(time, table, span)
     deflections = rows[[_ROWS["front_deflection"], _ROWS["rear_deflection"]]]
     beyond = np.where(np.isnan(deflections), nan, (deflections < -down) | (deflections > up))
-    return float(np.trapezoid(beyond.max(axis=0), at))
+    return float(np.trapezoid(beyond.max(axis=0), time))
 
 
-def _weighted(time: FloatArray, acceleration: FloatArray, span: TimeSpan | None) -> tuple[FloatArray, float]:
+def _weighted(time: FloatArray, acceleration: FloatArray) -> tuple[FloatArray, float]:
     """Return the acceleration through Wk (n,) [m/s^2], and the step between its samples [s].
 
     The mean is subtracted first: Wk passes nothing at 0 Hz, but a filter that starts from rest would ring with gravity
@@ -183,16 +176,15 @@ def _weighted(time: FloatArray, acceleration: FloatArray, span: TimeSpan | None)
     tenth of the sampling rate lines lack 3 % of an oscillation, the spline 0.02 % (Unser, Splines: a perfect fit for
     signal and image processing, IEEE Signal Processing Magazine 16(6), 1999).
     """
-    if span is None:
-        return np.full(1, nan), 1.0
-    at, (values,) = _clip_to_span(time, acceleration[None], span)
-    values = values - np.trapezoid(values, at) / (span[1] - span[0])
-    usual = _usual_step(at)
+    duration = time[-1] - time[0]
+    values, usual = acceleration - np.trapezoid(acceleration, time) / duration, _usual_step(time)
     step = usual / ceil(usual / WEIGHTED_STEP - STEP_TOLERANCE)
-    smooth = step < usual and _is_even(np.diff(at)[1:-1], usual) and np.isfinite(values).all()
-    between = CubicSpline(at, values) if smooth else partial(np.interp, xp=at, fp=values)
-    count = int((span[1] - span[0]) / step + STEP_TOLERANCE)
-    middle = span[0] + step * (np.arange(count) + 0.5)
+    inner = np.diff(time)[1:-1]
+    even = len(inner) > 1 and bool((np.abs(inner - usual) < EVEN * usual).all())  # but for the rounding of times
+    smooth = step < usual and even and np.isfinite(values).all()
+    between = CubicSpline(time, values) if smooth else partial(np.interp, xp=time, fp=values)
+    count = int(duration / step + STEP_TOLERANCE)
+    middle = time[0] + step * (np.arange(count) + 0.5)
     # A line through two places within each step: a jump at its end stays out of it.
     early, late = (between(middle + share * step) for share in (-0.25, 0.25))
     begin, end = 1.5 * early - 0.5 * late, 1.5 * late - 0.5 * early
@@ -202,11 +194,6 @@ def _weighted(time: FloatArray, acceleration: FloatArray, span: TimeSpan | None)
         driven = np.concatenate([[0.0], first * begin + last * end])
         total += 2 * lfilter([1.0], [1.0, -turn], driven).real
     return total, step
-
-
-def _is_even(steps: FloatArray, usual: float) -> bool:
-    """Check whether samples these steps apart [s] are evenly spaced, but for the rounding of their times."""
-    return len(steps) > 1 and bool((np.abs(steps - usual) < EVEN * usual).all())
 
 
 def _usual_step(time: FloatArray) -> float:

@@ -59,15 +59,18 @@ def make_vehicle(
         dampers: Its dampers where they are semi-active; None where actuators act beside passive ones.
         recorder: What measures its drive; None for nothing.
     """
-    linear = is_linear(vehicle, dampers)
+    linear, numbers, given = is_linear(vehicle, dampers), None, np.empty((0, STATES))
+    if estimator is not None:
+        numbers = np.concatenate([each.ravel() for each in (estimator.state, estimator.command, estimator.measurement)])
+        given = np.ascontiguousarray(estimator.input)
     return DrivenCar(
         vehicle=to_c_struct(vehicle, actuator, dampers),
         states=STATES if actuator.bandwidth is None else STATES + FORCES,
         effects=transition_matrix(vehicle, actuator, fine_step) if linear else None,
         steps=len(braking) // fine,
         fine=fine,
-        estimator=None if estimator is None else _estimator_struct(estimator),
-        estimator_input=np.empty((0, STATES)) if estimator is None else np.ascontiguousarray(estimator.input),
+        estimator=numbers,
+        estimator_input=given,
         height=height,
         braking=braking,
         above_chord=above_chord,
@@ -80,11 +83,6 @@ def make_vehicle(
 def is_linear(vehicle: Vehicle, dampers: SemiActiveDampers | None) -> bool:
     """Check whether its steps are exact: no semi-active `dampers`; passive ones, stops and tyres that are linear."""
     return vehicle.linear and dampers is None
-
-
-def _estimator_struct(estimator: Estimator) -> FloatArray:
-    """Return `struct estimator` of kernel/car.c."""
-    return np.concatenate([part.ravel() for part in (estimator.state, estimator.command, estimator.measurement)])
 
 
 def substeps(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | None, fine_step: float) -> int:
