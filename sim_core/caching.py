@@ -95,10 +95,10 @@ class Cache:
         @cachetools.cached(self._entries, key=partial(hashkey, function), lock=self._lock)
         def sized(*args: P.args, **kwargs: P.kwargs) -> tuple[T, int]:
             result = function(*args, **kwargs)
-            given, made = arrays((args, tuple(kwargs.values()))), arrays(result)
-            _make_read_only([*given, *made])
-            own = {id(array): array.nbytes for array in made if not hasattr(array.base, "base")}  # no view
-            return result, _ENTRY_OVERHEAD + sum(own[each] for each in own.keys() - set(map(id, given)))
+            arguments, results = arrays((args, tuple(kwargs.values()))), arrays(result)
+            _make_read_only([*arguments, *results])
+            own = {id(array): array.nbytes for array in results if not hasattr(array.base, "base")}  # no view
+            return result, _ENTRY_OVERHEAD + sum(own[each] for each in own.keys() - set(map(id, arguments)))
 
         @wraps(function)
         def lookup(*args: P.args, **kwargs: P.kwargs) -> T:

@@ -111,11 +111,11 @@ def undeclared_reads(scenario: Scenario, controller: type[Controller] | Controll
 def _undeclared(scenario: Scenario, controller: type[Controller] | Controller, kind: type[Controller]) -> Iterator[str]:
     """Yield those that it looks at in one scenario."""
     _, looked_at = record_accesses(scenario, lambda recording: simulate(recording, controller))
-    known: tuple[str, ...] = reads_in(scenario, kind)
+    declared: tuple[str, ...] = reads_in(scenario, kind)
     if isinstance(controller, Controller):  # an object may be given another preview than its class has
         plan = speed_plan_on(kind, scenario)
-        known += dependencies(kind, plan, controller.for_scenario(scenario).preview)
-    yield from (name for name in looked_at - {"speed.policy"} if not any(is_within(name, each) for each in known))
+        declared += dependencies(kind, plan, controller.for_scenario(scenario).preview)
+    yield from (name for name in looked_at - {"speed.policy"} if not any(is_within(name, each) for each in declared))
 
 
 def declaration_faults(kind: type[Controller]) -> list[str]:

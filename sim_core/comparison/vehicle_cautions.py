@@ -103,9 +103,9 @@ def scenario_cautions(scenario: Scenario) -> tuple[Caution, ...]:
 def _real_cautions(scenario: Scenario) -> Iterator[Caution]:
     """Return the warnings of the driven vehicle that are not those of the believed one."""
     believed, real = scenario.vehicle, scenario.real_vehicle
-    known = _unusual(believed, believed)
+    of_believed = _unusual(believed, believed)
     for kind, values in _unusual(believed, real).items():
-        if values != known.get(kind):
+        if values != of_believed.get(kind):
             factors = (name for name in ("body_mass", "springs", "tyres") if getattr(scenario.mismatch, name) != 1)
             yield Caution(kind=kind, text=f"{_sentence(kind, values)} {_REAL}", field=f"mismatch.{next(factors)}")
     pressed = {axle: min(pair) for axle, pair in zip(_AXLES, zip(*real.stop_clearances, strict=True), strict=True)}

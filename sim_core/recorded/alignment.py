@@ -230,13 +230,14 @@ class _Search:
                     distinct = _is_distinct(at, score, likeness, samples, spacing)
                     yield _Match(float(score[at]), placement, distinct, len(samples) / per_independent)
 
-    def _refine(self, found: Placement, evaluations: int) -> Placement:
+    def _refine(self, coarse: Placement, evaluations: int) -> Placement:
         """Refine offset and scale about the middle of the overlap, with its likeness.
 
         Where the overlap, or the part of it that shows the position, is short, the scale is 1.
         """
-        drive, distance, recorded = self.drives[found.reference], self.distance, apply_signs(self.recorded, found.signs)
-        position, offset, scale = drive.position, found.offset, found.scale
+        drive, distance = self.drives[coarse.reference], self.distance
+        recorded = apply_signs(self.recorded, coarse.signs)
+        position, offset, scale = drive.position, coarse.offset, coarse.scale
         start, end = np.clip((position[[0, -1]] - offset) / scale, distance[0], distance[-1]).tolist()
         part = (distance >= start - EXCLUSION_DISTANCE) & (distance <= end + EXCLUSION_DISTANCE)
         even, clean = evenly(distance[part], recorded[:, part], _spacing(end - start, FINE_SPACING, MOST_FINE_POINTS))
@@ -249,7 +250,7 @@ class _Search:
             where = moved + new * even
             inside = (where >= position[0]) & (where <= position[-1])
             likeness = correlations(where[inside], clean[:, inside], position, drive.simulated)
-            return replace(found, offset=moved, scale=new, likeness=float(np.mean(likeness)))
+            return replace(coarse, offset=moved, scale=new, likeness=float(np.mean(likeness)))
 
         def unlikeness(at: FloatArray) -> float:
             return -placement(at).likeness

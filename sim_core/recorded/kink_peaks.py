@@ -43,13 +43,13 @@ def peaks_at_kinks(
         where neither's are.
     """
     surface, vehicle = road_profile(scenario.road), scenario.real_vehicle
-    peaks, known = np.zeros((len(sections), len(AXLES))), heights_match(scenario, signals, signals["position"])
+    peaks, matching = np.zeros((len(sections), len(AXLES))), heights_match(scenario, signals, signals["position"])
     stiffness = vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness
     time = signals["time"]
     # A section's end is not told from a kink that is so near [s].
     near = STEP_TOLERANCE * float(np.median(np.diff(time)))
     for axle, behind in enumerate((0.0, scenario.rear_axle_offset)):
-        if not known[axle]:
+        if not matching[axle]:
             continue
         position = signals["position"] - behind
         met = np.concatenate([grid_positions(len(surface.roughness)), kinks(surface.bump)])
@@ -64,4 +64,4 @@ def peaks_at_kinks(
             if span is not None:
                 inside = (at >= span[0] - near) & (at <= span[1] + near)
                 peaks[section, axle] = np.abs(loads[inside]).max(initial=0.0)
-    return peaks if any(known) else None
+    return peaks if any(matching) else None

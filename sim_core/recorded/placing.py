@@ -154,5 +154,5 @@ def _at_recorded_distance(distance: FloatArray, rows: FloatArray, references: Ma
 def _signs(keys: Sequence[str]) -> list[Signs]:
     """Return the signs that signals may have, by convention."""
     there = [members for members in CONVENTIONS.values() if set(members) & set(keys)]
-    chosen = [dict(zip(there, signs, strict=True)) for signs in product((1, -1), repeat=len(there))]
-    return [tuple(next((s for members, s in each.items() if key in members), 1) for key in keys) for each in chosen]
+    choices = [dict(zip(there, signs, strict=True)) for signs in product((1, -1), repeat=len(there))]
+    return [tuple(next((s for members, s in each.items() if key in members), 1) for key in keys) for each in choices]

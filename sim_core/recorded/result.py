@@ -54,11 +54,11 @@ def recorded_result(
         raise RefusedError("The car does not move in this recording")
     if length > LONGEST:
         raise RefusedError(f"The recording is {length:.0f} m long, and the most is {LONGEST:g}: cut it to this road")
-    found = place_recording(scenario, lambda name: drives(scenario, name), signals, track)
-    signals |= {key: -signals[key] for key in found.inverted}
-    position, time = found.position, track.time
-    if track.clocked and found.placement is not None:
-        time = time * found.placement.scale
+    placed = place_recording(scenario, lambda name: drives(scenario, name), signals, track)
+    signals |= {key: -signals[key] for key in placed.inverted}
+    position, time = placed.position, track.time
+    if track.clocked and placed.placement is not None:
+        time = time * placed.placement.scale
     speed = float(position[-1] - position[0]) / float(time[-1] - time[0])
     time = time - (float(np.interp(0.0, position, time)) if position[0] <= 0 else time[0] - position[0] / speed)
     if position[-1] <= 0 or position[0] >= scenario.road.length:
@@ -68,17 +68,17 @@ def recorded_result(
     # Between samples too: the ends of the road rarely are samples.
     whole = {key: signals.get(key, np.full(len(time), nan)) for key in SIGNALS} | {"time": time, "position": position}
     result, notes = _evaluated(scenario, whole, f"{PREFIX}{drive.id}", timed=track.timed)
-    notes = [*track.notes, *describe_offsets(recorded, float(np.ptp(time))), *found.notes, *notes]
-    return replace(result, recording=_report(found, scenario, whole, drive.samples, notes))
+    notes = [*track.notes, *describe_offsets(recorded, float(np.ptp(time))), *placed.notes, *notes]
+    return replace(result, recording=_report(placed, scenario, whole, drive.samples, notes))
 
 
 def _report(
-    found: PlacedRecording, scenario: Scenario, signals: Mapping[str, FloatArray], samples: int, notes: Sequence[str]
+    placed: PlacedRecording, scenario: Scenario, signals: Mapping[str, FloatArray], samples: int, notes: Sequence[str]
 ) -> RecordingReport:
-    placed = {name: getattr(found.placement, name, None) for name in ("offset", "scale", "likeness", "reference")}
+    names = "offset", "scale", "likeness", "reference"
     position = signals["position"]
     return RecordingReport(
-        **placed,
+        **{name: getattr(placed.placement, name, None) for name in names},
         samples=samples,
         start=max(0.0, float(position[0])),
         end=min(scenario.road.length, float(position[-1])),

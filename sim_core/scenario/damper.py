@@ -31,13 +31,13 @@ def _only_damps(points: _Points) -> _Points:
         slope = (f1 - f0) / (v1 - v0)
         least = SOFTEST if 0 in (v0, v1) else 0.0
         if not least <= slope <= HARDEST:
-            said = f"From {v0:g} to {v1:g} m/s it rises by {slope:.4g} N s/m"
-            raise _wrong(f"{said}, which has to be from {least:g} to {HARDEST:g}")
+            slopes = f"From {v0:g} to {v1:g} m/s it rises by {slope:.4g} N s/m"
+            raise _wrong(f"{slopes}, which has to be from {least:g} to {HARDEST:g}")
     return points
 
 
-def _wrong(said: str) -> PydanticCustomError:
-    return PydanticCustomError("damper_curve", "{said}", {"said": said})
+def _wrong(reason: str) -> PydanticCustomError:
+    return PydanticCustomError("damper_curve", "{reason}", {"reason": reason})
 
 
 DamperCurve = Annotated[

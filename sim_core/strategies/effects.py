@@ -115,7 +115,7 @@ def _rules(strategy: type[Controller]) -> dict[str, Alternatives]:
 
 def _road_rules(strategy: type[Controller]) -> dict[str, Alternatives]:
     """Return the rules for the road: a measured one has neither roughness nor seed, but filters expect them."""
-    made, filtered, ahead = _is("road.profile", None), _filtered(strategy), _previews(strategy, "lookahead")
+    generated, filtered, ahead = _is("road.profile", None), _filtered(strategy), _previews(strategy, "lookahead")
     trusting = _all(ahead, _any(*(_is_not(f"mpc.{name}", 0) for name in _EXPECTED)))
     noisy, bump = _all(ahead, _is_not("mismatch.preview_noise", 0)), _is(HAS_BUMP, True)
     return {
@@ -123,8 +123,8 @@ def _road_rules(strategy: type[Controller]) -> dict[str, Alternatives]:
         _POLICY: bump,
         "road.bump.shape": _is_not("road.bump.height", 0),
         "road.bump.spacing": _all(bump, _is_not("road.bump.count", 1)),
-        "road.roughness": _any(made, filtered, trusting),
-        "road.seed": _any(_all(made, _is_not("road.roughness", 0)), filtered, noisy),
+        "road.roughness": _any(generated, filtered, trusting),
+        "road.seed": _any(_all(generated, _is_not("road.roughness", 0)), filtered, noisy),
     }
 
 
