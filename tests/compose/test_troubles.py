@@ -93,14 +93,18 @@ def test_after_a_power_cut_in_the_worst_order(service: Composed) -> None:
 
 def test_while_the_database_is_away_answers_are_quick_and_a_stop_is_clean(service: Composed) -> None:
     service.compose("stop", "database")
-    with ThreadPoolExecutor(40) as clients:
+
+    def ask(_: int) -> tuple[int, float]:
         begun = time.monotonic()
-        answers = list(clients.map(lambda _: service.attempt("GET", "/api/v1/batches"), range(40)))
-        took = time.monotonic() - begun
+        return service.attempt("GET", "/api/v1/batches"), time.monotonic() - begun
+
+    with ThreadPoolExecutor(40) as clients:
+        answers = list(clients.map(ask, range(40)))
+        took = max(seconds for _, seconds in answers)
         last = [clients.submit(service.request, "GET", "/api/v1/batches") for _ in range(20)]
         service.compose("stop", "api")
-    print(f"database away: 40 answers after {took:.1f} s")
-    assert set(answers) == {503}
+    print(f"database away: each of 40 answers within {took:.1f} s")
+    assert {status for status, _ in answers} == {503}
     assert took < QUICK
     for each in last:
         answer = each.result()
@@ -116,7 +120,7 @@ def test_while_the_database_is_away_answers_are_quick_and_a_stop_is_clean(servic
 def test_a_worker_with_too_little_memory_is_the_batchs_reason(service: Composed, memory: str) -> None:
     service.compose("up", "--detach", WORKER_MEMORY=memory)
     batch = service.batch(50)
-    took = wait(lambda: "WORKER_MEMORY" in service.progress(batch)["reason"], "it says why", 60)
+    took = wait(lambda: "WORKER_MEMORY" in (service.progress(batch)["reason"] or ""), "it says why", 60)
     print(f"{memory} for the worker: after {took:.0f} s “{service.progress(batch)['reason']}”")
     service.up()
     service.assert_complete(batch, 50)

@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import re
 import shlex
 import signal
 import sqlite3
@@ -19,14 +20,31 @@ from tests.faults.test_batches import HEAVY
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
 
-def test_ctrl_c_ends_it_in_order(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("host", "names", "says"),
+    [
+        ("127.0.0.1", {}, r"Ridelab is at http://127\.0\.0\.1:\d+"),
+        # As the image does by itself.
+        (
+            "0.0.0.0",  # noqa: S104
+            {"RIDELAB_ALLOWED_HOSTS": "localhost,127.0.0.1"},
+            r"Ridelab is at http://localhost:\d+; its data are in FOLDER, .*; links .* open on this machine alone",
+        ),
+    ],
+)
+def test_ctrl_c_ends_it_in_order(tmp_path: Path, host: str, names: dict[str, str], says: str) -> None:
     """The terminal sends it to every process of the group."""
-    command = [sys.executable, "-m", "backend", "--port", "0", "--data-dir", str(tmp_path)]
+    command = [sys.executable, "-m", "backend", "--host", host, "--port", "0", "--data-dir", str(tmp_path)]
     with subprocess.Popen(
-        command, env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
+        command,
+        env=environment() | names,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
     ) as service:
         assert service.stdout is not None
-        assert service.stdout.readline().startswith("Ridelab is at http://127.0.0.1:")
+        assert re.fullmatch(says.replace("FOLDER", re.escape(str(tmp_path))), service.stdout.readline().rstrip())
         os.killpg(service.pid, signal.SIGINT)
         _, log = service.communicate(timeout=HANG_TIMEOUT)
     assert service.returncode == 130
