@@ -141,6 +141,17 @@ def with_tokens(
 
 
 @pytest.fixture(scope="session")
+def guarded(with_tokens: Service) -> Iterator[tuple[httpx.Client, httpx.Client]]:
+    """Clients of that service with the tokens of ann and of ben."""
+    ann, ben = (
+        httpx.Client(base_url=with_tokens.base_url, headers={"Authorization": f"Bearer {TOKENS[name]}"}, timeout=60)
+        for name in ("ann", "ben")
+    )
+    with ann, ben:
+        yield ann, ben
+
+
+@pytest.fixture(scope="session")
 def reproduced(service: Service) -> None:
     """The service has the paper's reproduction stored."""
     store_in(service.services.store)
@@ -205,3 +216,11 @@ def store(migrated_url: str) -> Iterator[Store]:
     """An empty one of the newest schema, on each kind of database."""
     with closing(Store(migrated_url)) as store:
         yield store
+
+
+@pytest.fixture
+def server_store(postgres: Postgres, migrated_postgres: str) -> Iterator[Store]:
+    """An empty one on PostgreSQL, whose server may be stopped meanwhile."""
+    with closing(Store(postgres.new_database(migrated_postgres))) as store:
+        yield store
+    postgres.start()

@@ -1,8 +1,6 @@
 """Jobs on PostgreSQL, where transactions that change the same rows at once wait for one another."""
 
 import asyncio
-from collections.abc import Iterator
-from contextlib import closing
 from dataclasses import replace
 
 import pytest
@@ -20,12 +18,11 @@ CHILD = replace(BATCH, id="child", parent_id=BATCH.id)
 
 
 @pytest.fixture
-def store(postgres: Postgres, migrated_postgres: str) -> Iterator[Store]:
+def store(server_store: Store) -> Store:
     """One with a queued job and another that this one submitted."""
-    with closing(Store(postgres.new_database(migrated_postgres))) as store:
-        for job in (BATCH, CHILD):
-            store.jobs.create(job, rows())
-        yield store
+    for job in (BATCH, CHILD):
+        server_store.jobs.create(job, rows())
+    return server_store
 
 
 async def waiting(store: Store, count: int) -> None:

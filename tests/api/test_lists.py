@@ -1,7 +1,7 @@
 """Links, roads and recordings are listed and taken back: with tokens by their owner, without by who is alone."""
 
 import itertools
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +14,7 @@ from backend.app import create_app
 from backend.db.tables import links, pinned_series, recording_owners, road_owners
 from backend.settings import Settings
 from backend.store import Store
-from tests.api.conftest import TOKENS, Service
+from tests.api.conftest import Service
 from tests.api.test_problems import check
 from tests.servers import batches
 from tests.servers.loops import ask
@@ -52,16 +52,6 @@ KINDS: dict[str, Callable[[httpx.Client], str]] = {
     "roads": make_road,
     "recordings": make_recording,
 }
-
-
-@pytest.fixture
-def guarded(with_tokens: Service) -> Iterator[tuple[httpx.Client, httpx.Client]]:
-    ann, ben = (
-        httpx.Client(base_url=with_tokens.base_url, headers={"Authorization": f"Bearer {TOKENS[name]}"}, timeout=60)
-        for name in ("ann", "ben")
-    )
-    with ann, ben:
-        yield ann, ben
 
 
 def listed(client: httpx.Client, kind: str, limit: int = 2) -> list[str]:

@@ -9,7 +9,6 @@ import httpx
 import pytest
 from sqlalchemy.exc import OperationalError
 
-from backend.cost.estimate import estimate
 from backend.errors import (
     WorkerLostError,
     WorkersBusyError,
@@ -20,14 +19,7 @@ from backend.http.middleware import HEADERS
 from backend.http.problem_types import KINDS
 from backend.http.problems import Problem
 from sim_core.errors import RidelabError, TooExpensiveError
-from sim_core.scenario import Scenario
 from tests.servers.process import HANG_TIMEOUT, wait_until
-
-HARD = {
-    "road": {"length": 3000},
-    "speed": {"initial_speed_kmh": 20},
-    "mpc": {"sample_time": 0.002, "prediction_horizon": 200, "control_horizon": 100, "solver": "osqp"},
-}
 
 SOLVE = {"strategy": "passive", "field": "road.bump.height", "metric": "travel_time", "range": [0.05, 0.1], "limit": 99}
 
@@ -88,16 +80,6 @@ def test_what_goes_wrong_inside_tells_nothing_of_the_inside(
         assert places == ["/scenario" if isinstance(error, WorkerTimeoutError) else "/scenario/road/length"]
     monkeypatch.undo()
     assert service.run(["passive"]).status_code == 200
-
-
-def test_a_scenario_that_costs_too_much_is_refused_with_limit_and_estimate(service: Any) -> None:
-    scenario = Scenario.model_validate(HARD)
-    cost = sum(estimate(scenario, strategy) for strategy in ("lv", "suspension_only"))
-    for send in (service.run, service.live):
-        problem = check(send(["lv", "suspension_only"], HARD), 422, "cost-limit")
-        assert f"{service.services.settings.max_request_cost:g}" in problem.detail
-        assert f"{cost:.3g}" in problem.detail
-        assert [place.pointer for place in problem.errors] == ["/scenario"]
 
 
 @pytest.mark.parametrize(

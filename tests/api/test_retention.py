@@ -1,8 +1,7 @@
 """Old jobs and results are removed where the operator says so; runs, links and labels keep what they name."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import closing
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -23,7 +22,6 @@ from tests.api.conftest import Service
 from tests.api.test_job_store import BATCH, computed, purge, rows
 from tests.api.test_store import SCENARIO, outcomes, save
 from tests.servers import loops
-from tests.servers.postgres import Postgres
 from tests.servers.process import HANG_TIMEOUT
 from tests.there import there
 
@@ -39,10 +37,9 @@ def store(store: Store) -> Store:
 
 
 @pytest.fixture
-def on_server(postgres: Postgres, migrated_postgres: str) -> Iterator[Store]:
+def on_server(server_store: Store) -> Store:
     """The same on PostgreSQL."""
-    with closing(Store(postgres.new_database(migrated_postgres))) as store:
-        yield fill(store)
+    return fill(server_store)
 
 
 def fill(store: Store) -> Store:

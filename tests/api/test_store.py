@@ -39,14 +39,6 @@ def open_store(database_url: str) -> Iterator[OpenStore]:
         store.close()
 
 
-@pytest.fixture
-def server_store(postgres: Postgres, migrated_postgres: str) -> Iterator[Store]:
-    store = Store(postgres.new_database(migrated_postgres))
-    yield store
-    store.close()
-    postgres.start()
-
-
 SCENARIO = {"road": {"profile": None, "name": "ä 😀"}}
 
 

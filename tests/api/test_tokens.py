@@ -2,7 +2,6 @@
 
 import re
 import time
-from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -202,17 +201,6 @@ SUBMITTED = {
     "batches": {"scenario": {}, "strategies": ["passive"], "sweep": {"grid": {"road.seed": [1, 2]}}},
     "tunings": tuning.REQUEST,
 }
-
-
-@pytest.fixture(scope="module")
-def guarded(with_tokens: Service) -> Iterator[tuple[httpx.Client, httpx.Client]]:
-    """The clients of both tokens."""
-    check(with_tokens.get("/api/v1/batches"), 401, "token-required")
-    ann, ben = (
-        httpx.Client(base_url=with_tokens.base_url, headers=bearer(token), timeout=HANG_TIMEOUT) for token in (ANN, BEN)
-    )
-    with ann, ben:
-        yield ann, ben
 
 
 @pytest.mark.parametrize("kind", SUBMITTED)

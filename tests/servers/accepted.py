@@ -1,4 +1,4 @@
-"""Batches a service accepted: whatever becomes of it, each completes, and each result is stored once."""
+"""Batches a service accepted: whatever becomes of it, each completes, and each result is stored once and stays."""
 
 import itertools
 from dataclasses import dataclass, field
@@ -7,8 +7,6 @@ from typing import Any
 from sqlalchemy import NullPool, create_engine, func, select, text
 
 from backend.db.tables import job_runs, results
-from sim_core.scenario import Scenario, dotted
-from sim_core.simulate import simulate
 from tests.servers.process import HANG_TIMEOUT, ask, wait_until
 
 _counter = itertools.count()
@@ -108,15 +106,3 @@ class Accepted:
         assert [row["run"] for row in rows] == list(range(batch["total"] or 0))
         assert {row["status"] for row in rows} <= {"ok", "cancelled"}
         assert (batch["done"], batch["failed"]) == (len(done), 0)
-        if done:
-            _is_right(batch, done[self.seed % len(done)])
-
-
-def _is_right(batch: dict[str, Any], row: dict[str, Any]) -> None:
-    """One row against the core itself."""
-    changes = {each["name"]: row[each["name"]] for each in batch["fields"]}
-    scenario = Scenario.model_validate(dotted.with_changes(batch["scenario"], changes))
-    expected = simulate(scenario, row["strategy"]).metrics["bump"]["body_acceleration"]["peak"]
-    peak = row["metrics"]["bump"]["body_acceleration"]["peak"]
-    # Only the blocks a control law is computed in may differ between processes, in their last bits.
-    assert abs(peak - expected) <= 1e-9 * expected

@@ -87,7 +87,6 @@ class Program(Ends):
         self, name: str, command: Sequence[str], *, folder: Path, environment: Mapping[str, str], restart: bool = False
     ) -> None:
         self.name = name
-        self.starts = 0
         self._command = list(command)
         self._log = folder / f"{name}.log"
         self._environment = {**os.environ, **environment}
@@ -164,7 +163,6 @@ class Program(Ends):
         return code
 
     def _spawn(self) -> "subprocess.Popen[bytes]":
-        self.starts += 1
         with self._log.open("ab") as log:
             return subprocess.Popen(self._command, cwd=ROOT, env=self._environment, stdout=log, stderr=log)
 
