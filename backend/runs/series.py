@@ -4,7 +4,7 @@ A series array has shape (signals, samples), float32, rows in the catalogue's or
 """
 
 import base64
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise
@@ -32,13 +32,13 @@ BEFORE, AFTER = 0.6, 0.9  # parts of the bump's length that are shown around it,
 
 
 def ordered_signals(signals: Iterable[str] | None) -> list[str]:
-    """The signals asked for in the catalogue's order, always with time and position; None is all."""
+    """Return the signals asked for in the catalogue's order, always with time and position; None is all."""
     keys = set(SIGNALS if signals is None else signals) | set(ALWAYS)
     return [key for key in SIGNALS if key in keys]
 
 
 def pack(result: StrategyResult, sampling: Sampling | None = None) -> SeriesArray:
-    """A result's time histories as one array; those samples, or all."""
+    """Return a result's time histories as one array; those samples, or all."""
     series = result.series if sampling is None or sampling.part is None else _on_bump(result)
     count = len(series["time"])
     if sampling is None or sampling.points >= count:
@@ -54,7 +54,7 @@ def pack(result: StrategyResult, sampling: Sampling | None = None) -> SeriesArra
 
 
 def pack_all(result: StrategyResult) -> SeriesArray:
-    """A result's time histories as one array, with two samples at each instant at which a held force jumps."""
+    """Return a result's time histories as one array, with two samples at each instant at which a held force jumps."""
     series = result.series
     count = len(series["time"]) + len(series.jumps)
     array = np.empty((len(SIGNALS), count), dtype=np.float32)
@@ -64,7 +64,7 @@ def pack_all(result: StrategyResult) -> SeriesArray:
 
 
 def _on_bump(result: StrategyResult) -> Series:
-    """The time histories around the bump, if there is one; lines lead to a sample more on either side."""
+    """Return the time histories around the bump, if there is one; lines lead to a sample more on either side."""
     for span in result.stages:
         if span.stage == BUMP:
             position = result.series["position"]
@@ -74,7 +74,7 @@ def _on_bump(result: StrategyResult) -> Series:
 
 
 def around(start: float, end: float) -> tuple[float, float]:
-    """The bump with some road around it, of its two ends in time or on the road."""
+    """Return the bump with some road around it, of its two ends in time or on the road."""
     return start - BEFORE * (end - start), end + AFTER * (end - start)
 
 
@@ -92,14 +92,14 @@ class SamplingHints:
 
     @classmethod
     def of(cls, spans: Iterable[tuple[str, float, float]]) -> Self:
-        """From each stage's name, start and end [s], in their order."""
+        """Make them from each stage's name, start and end [s], in their order."""
         _, *later = listed = list(spans)
         bumps = [around(start, end) for stage, start, end in listed if stage == BUMP]
         return cls(tuple(start for _, start, _ in later), bumps[0] if bumps else None)
 
 
 def decimate(series: SeriesArray, points: int | None, stages: SamplingHints) -> SeriesArray:
-    """At most `points` samples of a series whose first signal is the time, or all: those of `shown_samples`."""
+    """Return at most `points` samples of a series whose first signal is the time, or all: those of `shown_samples`."""
     if points is None or points >= series.shape[1]:
         return series
     shown = shown_samples(series[0], series, len(series), points, stages)
@@ -113,9 +113,9 @@ def shown_samples(
 
     Up to half of them are the first, the last, and peaks: each signal's largest and smallest value of the run, then
     those that it has in each stage, on the bump before others. Every one is among them where `points` is four times
-    the signals for each stage, and four. Of the rest half are spent on the bump, where there is one. Half of each
-    part's lie evenly; the others are those that straight lines between these miss most (relative to the signal's span),
-    at most one in each half of a gap, so that a spike gets its flanks.
+    the signals for each stage, and four. A quarter lie evenly, half of these on the bump, where there is one. The
+    others are those that straight lines between these miss most (relative to the signal's span), at most one in each
+    half of a gap, so that a spike gets its flanks.
 
     Args:
         time: Of each sample (samples,) [s].
@@ -132,66 +132,46 @@ def shown_samples(
     windows = np.array(sorted({0, *cuts, count}), dtype=np.intc)
     bump = np.searchsorted(time, stages.bump or ()).tolist() or (0, count)
     most_peaks = max(2, min(points // 2, 2 * signal_count * (len(windows) - 1) + 2))
-    shown, gaps = _even_samples(count, bump, points - most_peaks)
-    table = np.array([(gap.start, gap.stride, gap.count) for gap in gaps], dtype=np.intc).reshape(-1, 3)
-    missed = np.zeros(table[:, 1] @ table[:, 2], dtype=np.float32)
-    extremes = np.zeros(count, dtype=np.uint8)
+    gaps = _gaps(count, bump, (points - most_peaks) // 2)
+    missed = [np.zeros(stride * number, dtype=np.float32) for _, stride, number in gaps]
+    extremes, shown = np.zeros(count, dtype=np.uint8), np.zeros(count, dtype=bool)
 
     def mark(values: SeriesArray) -> None:
         _mark_extremes(values, windows, extremes)
-        _add_missed(values, table, missed)
+        _raise_missed(values, gaps, missed)
 
     shown[_peaks(signals, mark, extremes, bump)[:most_peaks]] = True
-    spare = [_most_missed(gap, missed, shown) for gap in gaps]
-    left = np.hstack([np.empty((2, 0)), *spare])
-    best = left[0, np.argsort(-left[1], kind="stable")].astype(np.intp)
+    places, away = [np.zeros(0, dtype=np.intp)], [np.zeros(0, dtype=np.float32)]
+    for (start, stride, number), misses in zip(gaps, missed, strict=True):
+        shown[start + np.arange(number + 1) * stride] = True
+        halves = misses.reshape(2 * number, stride // 2)
+        places.append(start + np.arange(2 * number) * (stride // 2) + halves.argmax(axis=1))
+        away.append(halves.max(axis=1))
+    best = np.concatenate(places)[np.argsort(-np.concatenate(away), kind="stable")]
+    best = best[~shown[best]]
     shown[best[: points - np.count_nonzero(shown)]] = True
     return np.flatnonzero(shown)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Gaps:
-    """Equal gaps between samples that lie evenly.
+def _gaps(count: int, bump: tuple[int, int], points: int) -> list[tuple[int, int, int]]:
+    """Return equal gaps between samples that lie evenly, of which there are at most so many, half of them on the bump.
 
-    Attributes:
-        start: The first of these samples.
-        stride: From one to the next.
-        count: How many gaps.
-        offset: Where what lines across the gaps miss begins, among that of all.
-        few: How many samples inside them are shown.
+    Returns:
+        Of each part of the run its first sample, the even number of samples from one to the next, and how many gaps.
     """
-
-    start: int
-    stride: int
-    count: int
-    offset: int
-    few: int
-
-
-def _even_samples(count: int, bump: tuple[int, int], points: int) -> tuple[NDArray[np.bool_], list[_Gaps]]:
-    """Return which of all samples lie evenly among `points` (half of them on the bump), and the gaps between them."""
     first, last = bump
     around = count - (last - first)
     parts = [(0, count, points)]
     if around > last - first:
         outside = (points - points // 2) / around
-        parts = [
-            (0, first, int(outside * first)),
-            (first, last, points // 2),
-            (last, count, int(outside * (count - last))),
-        ]
-    shown, gaps, offset = np.zeros(count, dtype=bool), list[_Gaps](), 0
+        after = int(outside * (count - last))
+        parts = [(0, first, int(outside * first)), (first, last, points // 2), (last, count, after)]
+    gaps = []
     for start, end, few in parts:
-        if few >= end - start:
-            shown[start:end] = True
-        elif few > 0:
-            half = -(-(end - start) // few)
-            number = (end - start - 1) // (2 * half)
-            shown[start + np.arange(number + 1) * 2 * half] = True
-            if number:
-                gaps.append(_Gaps(start=start, stride=2 * half, count=number, offset=offset, few=few - number - 1))
-                offset += 2 * half * number
-    return shown, gaps
+        stride = 2 * ceil((end - start) / (2 * few)) if few else count
+        if (number := (end - start - 1) // max(stride, 2)) > 0:
+            gaps.append((start, max(stride, 2), number))
+    return gaps
 
 
 def _peaks(
@@ -236,57 +216,39 @@ def _mark_extremes(values: SeriesArray, windows: NDArray[np.intc], extremes: NDA
         extremes[first + np.array(places)] = 1
 
 
-def _add_missed(values: SeriesArray, gaps: NDArray[np.intc], missed: NDArray[np.float32]) -> None:
-    """Raise each sample's miss to that of one signal: by how much of its span the line between two nodes misses it.
+def _raise_missed(
+    values: SeriesArray, gaps: Sequence[tuple[int, int, int]], missed: Sequence[NDArray[np.float32]]
+) -> None:
+    """Raise each sample's miss to that of one signal: by how much of its span the line across its gap misses it.
 
     Args:
         values: (samples,).
-        gaps: First sample, samples from one node to the next and gaps of each part (parts, 3).
-        missed: Of each sample of each gap; NaN are passed over.
+        gaps: As `_gaps` returns them.
+        missed: Of each part of the run, of each sample of each gap; NaN are passed over.
     """
     span = np.fmax.reduce(values) - np.fmin.reduce(values)
-    done = 0
-    for start, stride, count in gaps.tolist():
-        ends, size = values[start : start + stride * count + 1 : stride], stride * count
+    for (start, stride, number), misses in zip(gaps, missed, strict=True):
+        ends = values[start : start + stride * number + 1 : stride]
         share = np.arange(stride, dtype=np.float32) / np.float32(stride)
-        lines = ends[:-1, None] + np.diff(ends)[:, None] * share
-        away = lines.ravel()
-        np.abs(np.subtract(values[start : start + size], away, out=away), out=away)
+        away = (ends[:-1, None] + np.diff(ends)[:, None] * share).ravel()
+        np.abs(np.subtract(values[start : start + len(away)], away, out=away), out=away)
         away /= span if span > 0 else 1
-        np.fmax(missed[done : done + size], away, out=missed[done : done + size])
-        done += size
-
-
-def _most_missed(gaps: _Gaps, missed: NDArray[np.float32], shown: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """Show the samples that lines across the gaps miss most, one in each half of a gap.
-
-    Returns:
-        The places of the samples that are next, and by how much lines miss them (2, samples).
-    """
-    half = gaps.stride // 2
-    halves = missed[gaps.offset : gaps.offset + gaps.stride * gaps.count].reshape(2 * gaps.count, half)
-    places = gaps.start + np.arange(2 * gaps.count) * half + halves.argmax(axis=1)
-    away = halves.max(axis=1)
-    order = np.argsort(-away, kind="stable")
-    shown[places[order[: gaps.few]]] = True
-    rest = order[gaps.few :]
-    rest = rest[~shown[places[rest]]]
-    return np.array([places[rest], away[rest]], dtype=np.float64)
+        np.fmax(misses, away, out=misses)
 
 
 def packed(values: NDArray[np.float32]) -> dict[str, str]:
-    """One signal in plotly's typed-array form: little-endian float32 in base64."""
+    """Return one signal in plotly's typed-array form: little-endian float32 in base64."""
     data = np.ascontiguousarray(values, dtype="<f4")
     return {"dtype": "f4", "bdata": base64.b64encode(data.data).decode("ascii")}
 
 
 def unpacked(values: Mapping[str, str]) -> NDArray[np.float32]:
-    """The values of a typed array."""
+    """Return the values of a typed array."""
     return np.frombuffer(base64.b64decode(values["bdata"]), dtype="<f4")
 
 
 def as_json(values: Callable[[str], SeriesArray], signals: Iterable[str], encoding: str) -> JsonObject:
-    """By signal its `values` for `pieces.write_json`, as lists (`list`) or typed arrays (`base64`)."""
+    """Return by signal its `values` for `pieces.write_json`, as lists (`list`) or typed arrays (`base64`)."""
 
     def typed(key: str) -> JsonObject:
         return {**packed(values(key))}
@@ -295,7 +257,7 @@ def as_json(values: Callable[[str], SeriesArray], signals: Iterable[str], encodi
 
 
 def most_samples(scenario: Scenario, strategy: str, *, jumps: bool = False) -> int:
-    """About the most samples that the strategy's time histories have, with those before `jumps` or without."""
+    """Return about the most samples that the strategy's time histories have, with those before `jumps` or without."""
     if recording_id(strategy) is not None:
         return MOST_SAMPLES
     name = strategy if strategy in strategies() else "lv"  # none has more than it: one that is gone may be pinned
