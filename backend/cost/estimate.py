@@ -5,8 +5,10 @@ count its work and not its time, so that whether it is too expensive depends on 
 which simulated drives a recording is compared does depend on it, and its notes name those left out.
 """
 
+import tomllib
 from collections.abc import Iterable, Mapping
 from math import erfc, inf, pi, sqrt
+from pathlib import Path
 
 import numpy as np
 
@@ -33,42 +35,7 @@ ITERATIONS = 350.0  # of OSQP, for one QP
 MAX_BYTES = 4.2e8  # of one run's arrays; whoever changes this or `memory` changes which scenarios have a result
 MAX_OPERATIONS = 3.3e11  # of one run's steps: some 30 s; its QPs have a limit of their own, `control.qp.MAX_EFFORT`
 
-# Multiply-adds that a unit of `work` counts as in that limit. They decide which scenarios have a result: whoever
-# changes one raises the core's version. `SECONDS` may be fitted anew at any time and change no run.
-OPERATIONS: Mapping[str, float] = {
-    "plan": 1.3e7,
-    "design": 3.4e7,
-    "design entries": 4.2,
-    "fine steps": 1_850,
-    "nonlinear steps": 400,
-    "check entries": 1,
-    "limited steps": 86_000,
-    "ECU": 1.2e8,
-    "exchanges": 330_000,
-    "short steps": 50_000,
-    "ECU entries": 10,
-    "ECU iterations": 12,
-}
-# Seconds of each unit of `work`; entries are those of matrices.
-SECONDS: Mapping[str, float] = {
-    "run": 0,
-    "plan": 0.0003,
-    "design": 0.0031,
-    "design entries": 3.9e-10,
-    "fine steps": 1.7e-07,
-    "uncached steps": 3.7e-07,
-    "nonlinear steps": 1.0e-07,
-    "check entries": 9.2e-11,
-    "limited steps": 7.9e-06,
-    "QPs": 7.8e-06,
-    "QP entries": 1.9e-09,
-    "OSQP": 0.8,
-    "ECU": 0.011,
-    "exchanges": 3e-05,
-    "short steps": 4.6e-06,
-    "ECU entries": 9.5e-10,
-    "ECU iterations": 1.1e-09,
-}
+UNITS: Mapping[str, Mapping[str, float]] = tomllib.loads(Path(__file__).with_name("units.toml").read_text("utf-8"))
 
 
 def duration(scenario: Scenario, name: str) -> float:
@@ -88,7 +55,7 @@ def estimate(scenario: Scenario, name: str) -> float:
     strategy = strategy_named(name)
     time = duration(scenario, name)
     counts = work(scenario, strategy, time, limited_share(scenario, strategy, time))
-    return sum(SECONDS[unit] * count for unit, count in counts.items())
+    return sum(UNITS[unit]["seconds"] * count for unit, count in counts.items())
 
 
 def references(scenario: Scenario) -> tuple[str, ...]:
@@ -111,7 +78,7 @@ def check_affordable(scenario: Scenario, name: str) -> float:
     strategy = strategy_named(name)
     time = duration(scenario, name)
     counts = work(scenario, strategy, time, 1.0)
-    operations = sum(each * counts.get(unit, 0.0) for unit, each in OPERATIONS.items())
+    operations = sum(UNITS[unit].get("operations", 0.0) * count for unit, count in counts.items())
     size = memory(scenario, strategy, time)
     if operations > MAX_OPERATIONS or size > MAX_BYTES:
         raise TooExpensiveError("The run has too many steps", fields=_fields(scenario, strategy))
@@ -184,7 +151,7 @@ def limited_share(scenario: Scenario, strategy: type[Controller], time: float) -
 
 
 def work(scenario: Scenario, strategy: type[Controller], time: float, share: float) -> dict[str, float]:
-    """Return how many of each unit of `SECONDS` a run has.
+    """Return how many of each of `UNITS` a run has.
 
     Args:
         scenario: What is driven.

@@ -5,9 +5,11 @@ fills it with series, `filled` does the same here. Values are SI in series and r
 them the unit shown.
 """
 
+import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
+from pathlib import Path
 
 import numpy as np
 
@@ -28,30 +30,10 @@ class Style:
     dash: str
 
 
-# 0.13 or more apart in OKLab with normal, protan and deutan vision, and each 3:1 or more on white and on #1a1b1e (a
-# search under these bounds; Okabe and Ito's colours come as near as 0.03 there); the three hook laws 0.1 with normal
-# vision. A dash of its own besides. The dark ones: 4.5:1 or more on #1a1b1e and on both stages' shading, 0.13 apart.
-STYLES: dict[str, Style] = {
-    "lv": Style(colour="#1C5FDF", dark_colour="#7CBEF9", dash="solid"),
-    "lv_hil": Style(colour="#C0300C", dark_colour="#D2744F", dash="longdashdot"),
-    "lqr": Style(colour="#FF5F00", dark_colour="#FE9D3B", dash="dash"),
-    "skyhook": Style(colour="#C93AA0", dark_colour="#F2C2EE", dash="9px,3px,2px,3px,2px,3px"),
-    "groundhook": Style(colour="#8B5E3C", dark_colour="#F4BD9F", dash="2px,5px"),
-    "hybrid": Style(colour="#0090A8", dark_colour="#05A6A7", dash="14px,3px,4px,3px"),
-    "suspension_only": Style(colour="#16A87C", dark_colour="#77E4BA", dash="dashdot"),
-    "speed_only": Style(colour="#A882D9", dark_colour="#9774FE", dash="longdash"),
-    "passive": Style(colour="#666873", dark_colour="#9984B0", dash="dot"),
-}
-OTHERS = (  # for controllers of one's own, in turn
-    Style(colour="#7A7900", dark_colour="#E3E04A", dash="6px,2px,6px,6px"),
-    Style(colour="#D0315E", dark_colour="#FF8FA6", dash="1px,3px,8px,3px"),
-    Style(colour="#5E5CE0", dark_colour="#B9C0FF", dash="12px,6px"),
-)
-RECORDED = (  # for recordings, by their id: the darkest, on a dark screen the lightest
-    Style(colour="#111827", dark_colour="#F9FAFB", dash="solid"),
-    Style(colour="#7A1F5C", dark_colour="#FFB3E6", dash="10px,2px"),
-    Style(colour="#14532D", dark_colour="#A7F3B0", dash="4px,2px"),
-)
+_DRAWN = tomllib.loads(Path(__file__).with_name("styles.toml").read_text("utf-8"))
+STYLES = {name: Style(**style) for name, style in _DRAWN["strategies"].items()}
+OTHERS = [Style(**style) for style in _DRAWN["others"]]  # for custom controllers, in turn
+RECORDED = [Style(**style) for style in _DRAWN["recorded"]]  # for recordings, by their id
 _GONE = Style(colour="#868E96", dark_colour="#868E96", dash="solid")  # of one that is there no more
 
 NEUTRAL = "#868E96"  # reference lines and stages: 3:1 on white and on #1a1b1e
