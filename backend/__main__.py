@@ -81,7 +81,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 class _Ending:
-    """What SIGTERM does before the server handles it, and when the server hands it on after its end.
+    """Define what SIGTERM does before the server handles it, and when the server hands it on after its end.
 
     The kernel has no default action for process 1, as which a container starts a service.
     """

@@ -83,7 +83,7 @@ class RevokedError(GoneError):
 
 
 class DamagedError(GoneError):
-    """What is stored of something is not what was written, and nothing can make it again.
+    """A stored row is not what was written, and nothing can make it again.
 
     Args:
         what: The kind of thing.
@@ -96,7 +96,7 @@ class DamagedError(GoneError):
 
 
 class ConflictError(ServiceError):
-    """What is asked for does not fit the state of what is there; its kind says why."""
+    """The request does not fit the state of what is there; the kind says why."""
 
 
 class InvalidError(ServiceError):
@@ -164,7 +164,7 @@ class TooManyRequestsError(TemporaryError):
 
 
 class DamagedResultError(TemporaryError):
-    """What was stored turned out to be damaged just now, and was dropped: the next request finds it missing."""
+    """A stored time history turned out to be damaged and was dropped: the next request finds it missing."""
 
     kind = "store-unavailable"
     retry_after = 1

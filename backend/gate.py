@@ -209,7 +209,7 @@ class LinkRate:
 
 
 class Gate:
-    """What every request passes.
+    """Queues, sums and rates that every request passes.
 
     Attributes:
         compute_queue: The requests that may compute.

@@ -21,7 +21,7 @@ Changes = Mapping[str, Numbers]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OverRoads:
-    """What strategies have over the same roads.
+    """Means and changes of strategies over the same roads.
 
     Attributes:
         means: strategy -> the numbers of one road, each replaced by the mean over the roads with its 95 % interval.
@@ -34,7 +34,7 @@ class OverRoads:
 
 
 def with_seeds(scenario: Scenario, roads: int) -> list[Scenario]:
-    """The scenario on so many roads: seeds `road.seed`, `road.seed` + 1, ..."""
+    """Return the scenario on so many roads: seeds `road.seed`, `road.seed` + 1, ..."""
     first = scenario.road.seed
     return [
         scenario.model_copy(update={"road": scenario.road.model_copy(update={"seed": seed})})
@@ -43,7 +43,7 @@ def with_seeds(scenario: Scenario, roads: int) -> list[Scenario]:
 
 
 def numbers(metrics: Numbers, comfort: Numbers) -> Numbers:
-    """What of one strategy's result on one road has a mean: its metrics by window, and `comfort` beside them."""
+    """Return the metrics that can be averaged over roads: those by window, and `comfort` beside them."""
     return {**metrics, "comfort": comfort}
 
 
@@ -68,7 +68,7 @@ def means_and_changes(driven: Mapping[str, Sequence[Numbers]], baseline: str) ->
 
 
 def paired_changes(driven: Mapping[str, Sequence[Numbers]], against: Mapping[str, Sequence[Numbers]]) -> Changes:
-    """Change of the mean of every number against that of the same name in `against` [%], paired road by road.
+    """Return the change of the mean of every number against that of the same name in `against` [%], road by road.
 
     Args:
         driven: name -> its numbers on each road, as `numbers` gives them.
@@ -86,7 +86,7 @@ def paired_changes(driven: Mapping[str, Sequence[Numbers]], against: Mapping[str
 
 
 def _sample(roads: Sequence[Numbers]) -> list[list[float]]:
-    """All numbers of each road, in one order."""
+    """Return all numbers of each road, in one order."""
     return [_leaves(road) for road in roads]
 
 
@@ -101,7 +101,7 @@ def _leaves(part: Numbers) -> list[float]:
 
 
 def _like(part: Numbers, values: Iterable[Interval]) -> dict[str, Any]:
-    """Mappings like these, with the values in the place of their numbers."""
+    """Return mappings like these, with the values in the place of their numbers."""
     rest = iter(values)
 
     def filled(each: Numbers) -> dict[str, Any]:

@@ -89,7 +89,7 @@ class Loaded(Protocol):
 
 
 def service_registry(workers: Loaded, gate: Loaded) -> CollectorRegistry:
-    """The registry behind `/metrics` of one application: the process's counters, and gauges read on request.
+    """Return the registry behind `/metrics` of one application: the process's counters, and gauges read on request.
 
     Args:
         workers: Holds `busy` and `idle` processes, and tasks `waiting` for one.

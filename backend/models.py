@@ -50,7 +50,7 @@ Matrix = Annotated[list[list[float]], BeforeValidator(_listed)]  # row by row
 
 
 def inconsistent(field: str, message: str, key: str | None = None) -> PydanticCustomError:
-    """An error of a request, or of a part of it, that belongs to one field in it, dotted, or to a key there."""
+    """Return an error of a request, or of a part of it, that belongs to one field in it, dotted, or to a key there."""
     return PydanticCustomError("inconsistent", "{reason}", {"field": field, "key": key, "reason": message})
 
 
@@ -63,7 +63,7 @@ def _check_strategy(name: str) -> str:
 
 
 def _check_options(scenario: Scenario) -> Scenario:
-    """What is sent anew has options of controllers that there are, with values that they take."""
+    """Check that a scenario has options of existing controllers alone, with values that they take."""
     if not scenario.own.controllers:
         return scenario
     by_id = strategies()
@@ -171,12 +171,12 @@ class LiveRequest(StrategiesRequest):
 
 
 def keys_of(names: Any, description: str) -> Any:
-    """A mapping's field whose keys are these names."""
+    """Return a mapping's field whose keys are these names."""
     return Field(description=description, json_schema_extra={"propertyNames": {"enum": list(names)}})
 
 
 def by_strategy(description: str = "By strategy") -> Any:
-    """A mapping's field whose keys are names of strategies, perhaps of some that are there no more."""
+    """Return a mapping's field whose keys are names of strategies, perhaps of some that are there no more."""
     return Field(description=description, json_schema_extra={"propertyNames": {"pattern": STRATEGY_PATTERN}})
 
 

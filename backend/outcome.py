@@ -26,7 +26,7 @@ JSON_OPTIONS = orjson.OPT_SERIALIZE_NUMPY
 
 @dataclass(frozen=True, slots=True)
 class Sampling:
-    """Which samples of a run's time histories are wanted, the same ones of all signals.
+    """The samples of a run's time histories that are wanted, the same ones of all signals.
 
     Attributes:
         points: At most how many.
@@ -39,7 +39,7 @@ class Sampling:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Outcome:
-    """What a strategy gave on one scenario, or why the core refused it.
+    """One strategy's result on one scenario, or why the core refused it.
 
     Attributes:
         key: Names the stored result by what it depends on.
@@ -91,24 +91,24 @@ class Outcome:
 
     @property
     def failed_unstored(self) -> bool:
-        """Whether it is a stored failure without its reason, which is tried again."""
+        """Check whether it is a stored failure without its reason, which is tried again."""
         return self.json == UNSTORED_FAILURE
 
     @property
     def summary(self) -> JsonObject:
-        """The JSON as Python values, read anew each time."""
+        """Return the JSON as Python values, read anew each time."""
         content: JsonObject = orjson.loads(self.json)
         return content
 
     @property
     def source(self) -> JsonObject | None:
-        """The file of the custom controller that it is of, with its digest; None where it does not say."""
+        """Return the file of the custom controller that it is of, with its digest; None where it does not say."""
         source: JsonObject | None = self.summary.get("source") if self.json.startswith(SOURCE) else None
         return source
 
     @property
     def size(self) -> int:
-        """Memory it takes in a cache, roughly [bytes]."""
+        """Return the memory it takes in a cache, roughly [bytes]."""
         return OBJECTS + len(self.json) + (self.series.nbytes if self.series is not None else 0)
 
     def answer(self, **fields: object) -> orjson.Fragment:
@@ -125,5 +125,5 @@ def failure_json(reason: str, kind: str, fields: Sequence[str] = ()) -> bytes:
 
 
 def elapsed_ms(begin: float) -> float:
-    """Time since `time.perf_counter()` gave `begin` [ms]."""
+    """Return the time since `time.perf_counter()` gave `begin` [ms]."""
     return round(1000 * (time.perf_counter() - begin), 2)

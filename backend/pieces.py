@@ -9,7 +9,7 @@ import orjson
 
 
 def render_to(write: Callable[[IO[bytes]], object], path: Path | None) -> bytes:
-    """What `write` writes: returned, or written into the existing file at `path`."""
+    """Return what `write` writes, or have it written into the existing file at `path`."""
     if path is None:
         memory = io.BytesIO()
         write(memory)

@@ -45,12 +45,12 @@ class Requirement(RequestModel):
 
     @property
     def limit(self) -> float:
-        """The one it has."""
+        """Return its one limit."""
         limits: list[float | None] = [self.max, self.min, self.max_change]
         return next(limit for limit in limits if limit is not None)
 
     def strategies_judged(self, names: Sequence[str], baseline: str | None) -> list[str]:
-        """Which of the strategies `names` it is about; where only the baseline runs, that one keeps max and min."""
+        """Return which of the strategies `names` keep it; where only the baseline runs, it keeps max and min."""
         if self.strategies is not None:
             return self.strategies
         against = baseline_of(names, baseline) if self.max_change is not None else baseline or "passive"
@@ -125,14 +125,14 @@ _LIST: TypeAdapter[list[Requirement]] = TypeAdapter(Annotated[list[Requirement],
 
 
 def baseline_of(names: Sequence[str], baseline: str | None) -> str:
-    """What changes are against: the one named, else passive, or the first where passive does not run."""
+    """Return what changes are against: the one named, else passive, or the first where passive does not run."""
     return baseline or default_baseline(names)
 
 
 def judge(
     requirements: Sequence[Requirement], driven: Mapping[str, Driven], baseline: str | None
 ) -> list[RequirementResult]:
-    """How each strategy keeps each requirement.
+    """Return how each strategy keeps each requirement.
 
     Args:
         requirements: What has to hold.
@@ -148,7 +148,7 @@ def judge(
 
 
 def judged(requirement: Requirement, strategy: str, driven: Mapping[str, Driven], base: str) -> RequirementResult:
-    """How one strategy keeps a requirement, whose changes are against the strategy `base`."""
+    """Return how one strategy keeps a requirement, whose changes are against the strategy `base`."""
     own = driven.get(strategy, _NOT_RUN)
     held = _held(requirement, own, driven.get(base, _NOT_RUN))
     limits: dict[str, float | None] = {name: getattr(requirement, name) for name in LIMITS}
@@ -166,7 +166,7 @@ def judged(requirement: Requirement, strategy: str, driven: Mapping[str, Driven]
 
 
 def used(requirement: Requirement, own: Driven, base: Driven) -> float:
-    """How much of a limit is used: 1 where the worse end of the interval meets it; infinite without a value.
+    """Return how much of a limit is used: 1 where the worse end of the interval meets it; infinite without a value.
 
     Of a positive `max` it is the metric over its limit, of a positive `min` the limit over the metric, and so on
     where both are negative; beyond a limit 1 and the excess, over the limit's magnitude or 1.
@@ -188,12 +188,12 @@ def excess(requirement: Requirement, value: float) -> float:
 
 
 def _ends(held: Interval) -> tuple[float, float]:
-    """Of the interval; of one road the value itself."""
+    """Return the interval; of one road the value itself."""
     return (held.low, held.high) if held.low <= held.high else (held.value, held.value)
 
 
 def _held(requirement: Requirement, own: Driven, base: Driven) -> Interval | str:
-    """What is held to the limit, or why there is nothing."""
+    """Return what is held to the limit, or why there is nothing."""
     values = _values(requirement.metric, own)
     if isinstance(values, str) or requirement.max_change is None:
         return values if isinstance(values, str) else mean_with_interval(values)

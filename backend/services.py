@@ -94,12 +94,12 @@ class Services:
 
 
 def interactive_workers(settings: Settings) -> Workers:
-    """The processes that answer requests."""
+    """Return the processes that answer requests."""
     return Workers(settings.workers, timeout=settings.run_timeout, warm_up=WARM_UP, reserved=RESERVED)
 
 
 def make_services(settings: Settings, workers: Workers) -> Services:
-    """The services with these settings and these interactive workers."""
+    """Make the services with these settings and these interactive workers."""
     store, gate = Store(settings.store_url), Gate(settings)
     tokens = None if settings.tokens_file is None else Tokens(settings.tokens_file)
     # Where Dask computes the jobs, one process is left for longer planning and summaries.
@@ -176,7 +176,7 @@ def _logins(tokens: Tokens, store: Store) -> Logins:
 
 
 async def _connect(settings: Settings, batch_workers: Workers) -> Executor:
-    """What computes the runs of jobs."""
+    """Return what computes the runs of jobs."""
     if settings.dask_scheduler is None:
         return LocalExecutor(batch_workers)
     from backend.compute.dask_executor import DaskExecutor  # takes half a second to import: not before there is a job

@@ -14,7 +14,7 @@ _SCHEDULER = re.compile(r"(tcp|tls)://([\w.-]+|\[[0-9a-fA-F:.]+\]):(\d{1,5})")
 
 
 def items(text: str) -> list[str]:
-    """What stands between commas, in lower case."""
+    """Return what stands between commas, in lower case."""
     return [item.strip().lower() for item in text.split(",") if item.strip()]
 
 

@@ -204,12 +204,12 @@ class Settings(BaseModel):
 
     @property
     def hosts(self) -> frozenset[str]:
-        """What `allowed_hosts` lists."""
+        """Return what `allowed_hosts` lists."""
         return frozenset(items(self.allowed_hosts))
 
     @property
     def shown_store(self) -> str:
-        """Where the data are, for people: the folder, or the database's URL without its password."""
+        """Return where the data are, for people: the folder, or the database's URL without its password."""
         if self.database_url is None:
             return str(self.data_dir.absolute())
         from sqlalchemy import make_url
@@ -268,6 +268,6 @@ def _unknown(name: int | str) -> str:
 
 
 def _reason(location: tuple[int | str, ...], message: str) -> str:
-    """What is wrong with a variable; an error of several names them itself."""
+    """Return what is wrong with a variable; an error of several names them itself."""
     message = message.removeprefix("Value error, ")
     return f"{_variable(str(location[0]))}: {message}" if location else message

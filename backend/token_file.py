@@ -7,7 +7,7 @@ _LINE = re.compile(r"(?P<name>[A-Za-z0-9_.-]{1,64})\s+(?P<token>[A-Za-z0-9._~+/-
 
 
 def read_tokens(path: Path) -> dict[str, str]:
-    """Each token's name and text.
+    """Return each token's name and text.
 
     Args:
         path: A line for each, name and token with white space between; empty lines and those that begin with # count

@@ -126,7 +126,7 @@ def _inline_scripts(path: str, _: float) -> tuple[str, ...]:
 
 
 def _takes_brotli(accepted: str) -> bool:
-    """Whether `br` is in an Accept-Encoding, and not with a weight of 0."""
+    """Check whether `br` is in an Accept-Encoding, and not with a weight of 0."""
     refused = r"q=0(\.0*)?"
     codings = [[part.strip().lower() for part in coding.split(";")] for coding in accepted.split(",")]
     return any(name == "br" and not any(re.fullmatch(refused, each) for each in rest) for name, *rest in codings)

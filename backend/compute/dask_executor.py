@@ -56,7 +56,7 @@ class DaskExecutor:
         return cls(client, warm_up)
 
     async def capacity(self) -> int:
-        """How many threads its workers have; raises ExecutorLostError."""
+        """Return how many threads its workers have; raises ExecutorLostError."""
         if not self._is_connected:
             raise ExecutorLostError("The connection to the Dask scheduler is lost")
         with _lost():

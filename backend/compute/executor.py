@@ -13,10 +13,10 @@ class Executor(Protocol):
     """Computes chunks; each in a process of its own, which a crash takes with it and nothing else."""
 
     async def capacity(self) -> int:
-        """How many chunks can be computed at the same time; raises ExecutorLostError."""
+        """Return how many chunks can be computed at the same time; raises ExecutorLostError."""
 
     async def compute(self, chunk: Chunk) -> ChunkOutcome:
-        """The outcome of a chunk; raises ExecutorLostError."""
+        """Return the outcome of a chunk; raises ExecutorLostError."""
 
     async def stop(self, group: str) -> None:
         """End every chunk of that group now, and begin no other one."""

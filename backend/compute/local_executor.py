@@ -24,7 +24,7 @@ class LocalExecutor:
         self._stopped: deque[str] = deque(maxlen=REMEMBERED)
 
     async def capacity(self) -> int:
-        """How many processes there are."""
+        """Return how many processes there are."""
         return self._workers.count
 
     async def compute(self, chunk: Chunk) -> ChunkOutcome:
@@ -57,7 +57,7 @@ class LocalExecutor:
 
 
 def _outcome(task: "asyncio.Task[Any]") -> ChunkOutcome:
-    """Of a task that has ended."""
+    """Return the outcome of a task that has ended."""
     if task.cancelled():
         return ChunkOutcome(computed=[])  # it was stopped: nobody waits for this
     try:

@@ -36,7 +36,7 @@ class WorkerDiedError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """What a task gave, or why it failed, and the process's resident memory afterwards [bytes]; 0 outside Linux."""
+    """The value or error of a task, and the process's resident memory afterwards [bytes]; 0 outside Linux."""
 
     value: Any
     error: Exception | None

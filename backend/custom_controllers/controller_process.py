@@ -111,7 +111,7 @@ class ControllerProcess:
 
     @property
     def alive(self) -> bool:
-        """Whether it can be asked again."""
+        """Check whether it can be asked again."""
         return not self._tasks.closed
 
     def close(self) -> None:

@@ -31,7 +31,7 @@ WAIT = 10.0  # a request waits so long for files that have changed; one that nev
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ControllerSource:
-    """What one source has.
+    """The controllers of one source.
 
     Attributes:
         source: One of `sim_core.controller_files.sources`.
@@ -134,7 +134,7 @@ def refresh(limit: float) -> None:
 
 
 def run_in_sandbox_process(name: str, function: Callable[..., T], *args: Any) -> T:
-    """`function(*args)`, which drives the strategy of that id: of one's own in the process that has its file.
+    """Call `function(*args)`, which drives that strategy: of a custom one in the process that has its file.
 
     Raises:
         ControllerCodeError: The strategy's code failed, as it would on every machine.
@@ -167,7 +167,7 @@ def close() -> None:
 
 
 def _loaded(source: ControllerSource, description: Description) -> ControllerProcess:
-    """A process that has loaded the file, which has to be as it was described."""
+    """Return a process that has loaded the file, which has to be as it was described."""
     process = ControllerProcess(_here(source.source))
     loaded = process.call(_descriptions, limit=LOADING)
     if description.digest not in {each.digest for each in loaded if each.id == description.id}:
@@ -177,13 +177,13 @@ def _loaded(source: ControllerSource, description: Description) -> ControllerPro
 
 
 def _here(source: str) -> str:
-    """The same source on this machine, whose folders may be others."""
+    """Return the same source on this machine, whose folders may be others."""
     name = Path(source).name
     return next((each for each in controller_files.sources() if Path(each).name == name), source)
 
 
 def _descriptions() -> tuple[Description, ...]:
-    """In a process: what its file has."""
+    """Return what this process's file has."""
     return tuple(map(described, controller_files.named_controllers().values()))
 
 
@@ -234,7 +234,7 @@ def _signature(source: str, descriptions: tuple[Description, ...]) -> Signature 
 
 
 def _unknown(source: str, digest: str) -> Description:
-    """What stands for a file that never could be loaded, so that its fault is told where strategies are."""
+    """Return what stands for a file that never could be loaded, so that its fault is told where strategies are."""
     name = re.sub("[^a-z0-9_]", "_", Path(source).stem.lower())
     return Description(
         id=name if name[:1].isalpha() else f"file_{name}",
@@ -249,7 +249,7 @@ def _unknown(source: str, digest: str) -> Description:
 
 
 def _each_id_once(sources: Iterable[ControllerSource]) -> tuple[ControllerSource, ...]:
-    """The sources, of which one without an id of its own for each controller has a fault in its place."""
+    """Return the sources, of which one without an id of its own for each controller has a fault in its place."""
     taken: dict[str, str] = dict.fromkeys(STRATEGIES, "Ridelab")
     unique = []
     for each in sources:

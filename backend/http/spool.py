@@ -41,11 +41,11 @@ class SpoolFile:
 
     @property
     def size(self) -> int:
-        """Its length [bytes]."""
+        """Return its length [bytes]."""
         return os.fstat(self._file.fileno()).st_size
 
     async def pieces(self) -> AsyncIterator[bytes]:
-        """All of it, piece by piece."""
+        """Yield all of it, piece by piece."""
         while piece := await asyncio.to_thread(self._file.read, CHUNK):
             yield piece
 
@@ -131,7 +131,7 @@ class Spool:
             return SpoolFile(file, held.pop_all())
 
     def _unwritten(self) -> float:
-        """What the open files will still need on the disk [bytes]."""
+        """Return what the open files will still need on the disk [bytes]."""
         return sum(max(0.0, size - os.fstat(number).st_size) for number, size in self._expected.items())
 
 

@@ -53,7 +53,7 @@ def _unit(path: Path) -> str:
 
 
 def locate_in_body(model: Any, path: Path) -> tuple[list[str | int], list[str]]:
-    """The path of a validation error in the body, and the names that an object there may have.
+    """Return the path of a validation error in the body, and the names that an object there may have.
 
     Args:
         model: What the body is read as.
@@ -72,7 +72,7 @@ def locate_in_body(model: Any, path: Path) -> tuple[list[str | int], list[str]]:
 
 
 def _union_members(annotation: Any) -> Iterator[Any]:
-    """The members of a union, or the annotation itself; without `Annotated`."""
+    """Yield the members of a union, or the annotation itself; without `Annotated`."""
     if get_origin(annotation) is Annotated:
         yield from _union_members(get_args(annotation)[0])
     elif get_origin(annotation) in (Union, UnionType):
@@ -83,7 +83,7 @@ def _union_members(annotation: Any) -> Iterator[Any]:
 
 
 def _members_at(annotation: Any, step: str | int) -> Iterator[Any]:
-    """What a value of that annotation may hold at a key or an index."""
+    """Yield what a value of that annotation may hold at a key or an index."""
     origin, arguments = get_origin(annotation), get_args(annotation)
     if isinstance(step, str) and step in (fields := _fields(annotation)):
         yield from _union_members(fields[step])
@@ -105,6 +105,6 @@ def _fields(annotation: Any) -> Mapping[str, Any]:
 
 
 def _union_tags(annotation: Any) -> set[Any]:
-    """What pydantic calls this member of a union: its name, or a value of what discriminates."""
+    """Return what pydantic calls this member of a union: its name, or a value of what discriminates."""
     values = {value for each in _fields(annotation).values() for value in get_args(each)}
     return {getattr(annotation, "__name__", None), *(value for value in values if isinstance(value, str))}

@@ -37,7 +37,7 @@ class RunCurves:
         file_format: FormatName,
         encoding: Literal["list", "base64"],
     ) -> bytes | SpoolFile:
-        """Time histories of a stored run in one of the formats.
+        """Return time histories of a stored run in one of the formats.
 
         Args:
             run_id: The run.
@@ -80,7 +80,7 @@ class RunCurves:
         points: int | None,
         encoding: Literal["list", "base64"],
     ) -> bytes | SpoolFile:
-        """Time histories over all roads of a stored run as JSON; arguments as for `series`, no strategies are all.
+        """Return time histories over all roads of a stored run as JSON; arguments as of `series`, no strategies: all.
 
         Raises:
             NotFoundError: No such run.
@@ -99,7 +99,7 @@ class RunCurves:
         return await self.histories.over_roads(stored, names, asked, points, encoding, client)
 
     async def figures(self, run_id: str, name: str | None, axis: str, client: str) -> JsonObject:
-        """One figure of a stored run, or all of them by name, with data.
+        """Return one figure of a stored run, or all of them by name, with data.
 
         Raises:
             NotFoundError: No such run or figure.

@@ -40,7 +40,7 @@ class Columns:
     values: Callable[[str, int, int], SeriesArray]
 
     def whole(self, key: str) -> SeriesArray:
-        """All samples of a signal."""
+        """Return all samples of a signal."""
         return self.values(key, 0, self.count)
 
 
@@ -68,7 +68,7 @@ class Export:
     sources: Mapping[str, JsonObject]
 
     def size(self, samples: Iterable[int]) -> float:
-        """About how long the file will be [bytes], from how many samples each strategy has."""
+        """Return about how long the file will be [bytes], from how many samples each strategy has."""
         each = len(self.signals) * value_bytes(self.file_format, self.encoding)
         if self.file_format == "csv" and len(self.strategies) > 1:
             each += NAME_BYTES
@@ -76,12 +76,12 @@ class Export:
 
 
 def value_bytes(file_format: str, encoding: str) -> float:
-    """About how long one value is in a file of that format [bytes]."""
+    """Return about how long one value is in a file of that format [bytes]."""
     return BASE64_BYTES if (file_format, encoding) == ("json", "base64") else VALUE_BYTES
 
 
 def rows(samples: Iterable[int], points: int | None) -> int:
-    """About how many samples come out of strategies with so many, at most `points` of each (None is all)."""
+    """Return about how many samples come out of strategies with so many, at most `points` of each (None is all)."""
     return sum(count if points is None else min(count, points) for count in samples)
 
 
@@ -121,7 +121,7 @@ def _write(members: Members, export: Export, file: IO[bytes]) -> None:
 
 
 def _write_json(members: Members, export: Export, file: IO[bytes]) -> None:
-    """`{strategy, series}` of one strategy, `{strategies}` of several, with the units beside."""
+    """Write `{strategy, series}` of one strategy, `{strategies}` of several, with the units beside."""
 
     def series(columns: Callable[[], Columns]) -> JsonObject:
         return as_json(columns().whole, export.signals, export.encoding)
@@ -138,7 +138,7 @@ def _write_json(members: Members, export: Export, file: IO[bytes]) -> None:
 
 
 def _write_csv(members: Members, export: Export, file: IO[bytes]) -> None:
-    """A table with units in its header and nothing else, as spreadsheets read it."""
+    """Write a table with units in its header and nothing else, as spreadsheets read it."""
     several = len(export.strategies) > 1
     header = (["strategy"] if several else []) + [column_name(key) for key in export.signals]
     file.write(",".join(header).encode() + b"\n")
@@ -150,19 +150,19 @@ def _write_csv(members: Members, export: Export, file: IO[bytes]) -> None:
 
 
 def column_name(key: str) -> str:
-    """The name of a signal's column: `body_acceleration [m/s^2]`."""
+    """Return the name of a signal's column: `body_acceleration [m/s^2]`."""
     return f"{key} [{SIGNALS[key].unit}]"
 
 
 def _tables(members: Members, export: Export) -> Iterator[tuple[str, list[SeriesArray]]]:
-    """Strategy after strategy some samples of each signal."""
+    """Yield strategy after strategy some samples of each signal."""
     for name, make in members.items():
         for samples in _pieces(make(), export.signals):
             yield name, samples
 
 
 def _pieces(columns: Columns, signals: Sequence[str]) -> Iterator[list[SeriesArray]]:
-    """Some samples of each signal at a time; at the end nothing keeps the strategy's any more."""
+    """Yield some samples of each signal at a time; at the end nothing keeps the strategy's any more."""
     for start in range(0, columns.count, AT_ONCE):
         end = min(columns.count, start + AT_ONCE)
         yield [columns.values(key, start, end) for key in signals]

@@ -35,7 +35,7 @@ MIN_CACHED_BAND = 4 * 1024 * 1024  # a shorter one counts as this long, so that 
 
 
 class ControllerMissingError(GoneError):
-    """A controller of one's own has changed or gone since the run."""
+    """A custom controller has changed or gone since the run."""
 
     def __init__(self) -> None:
         super().__init__(
@@ -62,7 +62,7 @@ class Histories:
     _in_progress: SharedComputations[str, SpoolFile] = field(init=False, default_factory=SharedComputations)
 
     async def keys(self, stored: StoredRun) -> dict[str, str]:
-        """Result keys of the strategies whose exact time histories are pinned or can be simulated again.
+        """Return the result keys of the strategies whose exact time histories are pinned or can be simulated again.
 
         Of a run over several roads they are the first road's.
 
@@ -89,7 +89,7 @@ class Histories:
         return {name: key for name, key in keys.items() if key in pinned}
 
     async def outcomes(self, stored: StoredRun, client: str, points: int = FIGURE_POINTS) -> dict[str, Outcome]:
-        """The strategies that have time histories, with at most so many samples, by default as many as figures need.
+        """Return the strategies that have time histories, with at most so many samples (by default a figure's).
 
         Raises:
             GoneError: Another core version computed the run, or its road is gone, and nothing is pinned.
@@ -114,7 +114,7 @@ class Histories:
     async def exported(
         self, stored: StoredRun, keys: Mapping[str, str], export: exports.Export, client: str
     ) -> bytes | SpoolFile:
-        """Those strategies' time histories (`keys` has their result keys) as a file.
+        """Return those strategies' time histories (`keys` has their result keys) as a file.
 
         Raises:
             CostLimitError: It would be too long.
@@ -144,7 +144,7 @@ class Histories:
         encoding: str,
         client: str,
     ) -> bytes | SpoolFile:
-        """Mean, smallest and largest values of those strategies over the run's roads as JSON (`bands.render`).
+        """Return mean, smallest and largest values of those strategies over the run's roads as JSON (`bands.render`).
 
         Raises:
             GoneError: Another core version computed the run: links pin the first road's time histories alone.
@@ -193,7 +193,7 @@ class Histories:
             )
 
     async def _drive(self, roads: Sequence[Scenario], name: str, client: str) -> SpoolFile:
-        """The band of one strategy over all roads, slice by slice, so that other requests come in between."""
+        """Return the band of one strategy over all roads, slice by slice, so that other requests come in between."""
         size, done = bands.Band.most_nbytes(roads[0], name), 0
         before, after = (self.spool.file(client, size, advice=SHORTER_RUN) for _ in range(2))
         cost = max(bands.LONGEST_TASK, estimate(roads[0], name))
@@ -206,7 +206,7 @@ class Histories:
         return before
 
     async def _on_its_road(self, scenario: Scenario, names: Iterable[str] = ()) -> Scenario:
-        """A stored run's scenario with the heights of its measured road, and those of these strategies it recorded.
+        """Return a stored run's scenario with the heights of its measured road, and with its recordings.
 
         Raises:
             RoadGoneError: The road is not stored any more.
@@ -220,7 +220,7 @@ class Histories:
     async def _pinned(
         self, scenario: Scenario, keys: Mapping[str, str], client: str
     ) -> AsyncIterator[dict[str, bytes] | None]:
-        """By strategy its pinned time histories, from result keys; None unless every one is pinned.
+        """Yield by strategy its pinned time histories, from result keys; None unless every one is pinned.
 
         Raises:
             TemporaryError: Those of other requests take the memory.
@@ -238,7 +238,7 @@ class Histories:
 
 
 def changed_controllers(stored: StoredRun) -> set[str]:
-    """The run's controllers of one's own that are there no more, or are other ones: nothing can be driven again."""
+    """Return the run's custom controllers that are there no more, or are other ones: nothing can be driven again."""
     others = [item for item in stored.shown if item.strategy not in STRATEGIES and recording_id(item.strategy) is None]
     if not others:
         return set()
@@ -251,7 +251,7 @@ def changed_controllers(stored: StoredRun) -> set[str]:
 
 
 def _stages(stored: StoredRun) -> dict[str, SamplingHints]:
-    """By strategy its driving stages: decimation preserves the extremes of each."""
+    """Return by strategy its driving stages: decimation preserves the extremes of each."""
     return {
         item.strategy: SamplingHints.of(
             (span["stage"], span["start_time"], span["end_time"]) for span in item.summary["stages"]

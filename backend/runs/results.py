@@ -26,7 +26,7 @@ Outcomes = dict[str, Outcome]  # by strategy, or by result key
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Request:
-    """Who asks, for which samples of the time histories (None is none), and each strategy's cost [s of one core]."""
+    """The client, the samples that it asks for (None: none), and each strategy's cost [s of one core]."""
 
     client: str
     sampling: Sampling | None
