@@ -151,7 +151,7 @@ def render(
 
 
 def _spread(signals: Sequence[str]) -> list[str]:
-    """Those that differ from road to road: the others have neither minimum nor maximum."""
+    """Return the signals that differ from road to road: the others have neither minimum nor maximum."""
     return [key for key in signals if key not in SAME_ON_EVERY_ROAD]
 
 

@@ -251,7 +251,7 @@ class Runs:
 
 
 def _changed_controllers(stored: StoredRun, scenario: Scenario, names: Iterable[str]) -> set[str]:
-    """Those of a run's strategies that are custom controllers which have changed or gone since, or may have."""
+    """Return a run's custom controllers that have changed or gone since, or may have."""
     custom = {name for name in names if name not in STRATEGIES and recording_id(name) is None}
     there = custom & known_strategies().keys()
     if there == custom and digest.run_id(scenario, stored.by_strategy, stored.roads, stored.baseline) == stored.id:
