@@ -17,8 +17,8 @@ from tests.servers.process import ROOT
 COPIED = ("sim_core", "backend", "client", "tests", "benchmarks", "docs")
 SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fno-omit-frame-pointer", "-g", "-fPIC")
 # What drives all of the C: roads and kinks, every damper, stop and actuator, metrics, the speed plan, QPs, the ECU,
-# and what thins time histories out.
-UNIT = ("kernel", "kernel_misuse", "pins", "qp", "recorder")
+# what thins time histories out, and the programs of FMUs with whole and damaged numbers.
+UNIT = ("fmu", "kernel", "kernel_misuse", "pins", "qp", "recorder")
 VALIDATION = (
     *("ecu", "estimation", "fuzzy", "measured", "metrics", "mismatch", "nonlinear"),
     *("road", "sampling", "semi_active", "shape", "speed", "vehicles"),
@@ -39,6 +39,8 @@ def test_the_tests_drive_nothing_beyond_an_array_or_undefined(tmp_path: Path) ->
     kernel = tmp_path / "sim_core" / "kernel"
     build = runpy.run_path(str(kernel / "build.py"))
     subprocess.run(build["command"](["gcc"], kernel / build["NAME"], *SANITIZERS), check=True)
+    programs = runpy.run_path(str(tmp_path / "backend" / "fmu" / "programs.py"))
+    programs["compile_programs"]("linux64", ["gcc", *SANITIZERS])
     environment = os.environ | {
         "LD_PRELOAD": f"{sanitizer('libasan.so')} {sanitizer('libstdc++.so')}",  # whose exceptions it has to know
         "ASAN_OPTIONS": "detect_leaks=0",  # Python keeps what it has until its end
