@@ -3,14 +3,17 @@
 import os
 import re
 import sys
+from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+import sim_core
 from sim_core import Controller, Scenario, check_controller, controller_files, load_controllers, simulate
 from sim_core.controller_files import VARIABLE, ControllerFileError
 from sim_core.errors import UnknownNameError
+from sim_core.kernel.library import DIGEST
 from sim_core.program import program as named_program
 from tests.validation.controllers import SHORT
 
@@ -92,6 +95,13 @@ def test_a_saved_file_is_another_controller_and_another_program(file: Path) -> N
     weights.unlink()
     with pytest.raises(ControllerFileError, match=r"weights\.txt"):
         mine(file)
+
+
+def test_a_program_is_named_by_all_that_computes_its_results(file: Path) -> None:
+    """A result of another core, other C or another solver is not taken for one of this program."""
+    named = named_program(mine(file))
+    assert named.pop("controller") == mine(file).file_digest
+    assert named == {"core": sim_core.__version__, "kernel": DIGEST, "osqp": version("osqp")}
 
 
 def test_files_and_folders_that_the_variable_names_are_strategies(

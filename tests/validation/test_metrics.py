@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from sim_core import STRATEGIES, Actuator, Bump, Mpc, Road, Scenario, Speed, Vehicle, simulate
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, PAPER_SIGNALS, SIGNALS, WINDOWS
 from sim_core.metrics.comfort import wk_gain
-from sim_core.metrics.evaluate import rms_between
+from sim_core.metrics.evaluate import rms_between, section_ends
 from sim_core.scenario.presets import preset
 from sim_core.speed.profile import make_speed_profile
 from tests.validation.reference.held import errors
@@ -88,6 +88,10 @@ def test_the_papers_peak_where_both_axles_meet_the_bump_together(speed_kmh: floa
     assert [span.end_position for span in result.stages] == [100.0, 104.0, 150.0]
     for key, error in errors(scenario, "passive", result).items():
         assert abs(error) < 0.003 or key.startswith("rough_road"), key
+
+
+def test_a_section_ends_at_a_sample_that_is_as_near_as_rounding() -> None:
+    assert section_ends([(719.9999999, 720.5)]).tolist() == [[720, 720.5]]
 
 
 def test_a_window_ends_where_the_drive_does_not_where_a_sample_is() -> None:
