@@ -5,7 +5,7 @@ from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
 from anyio.lowlevel import checkpoint
-from fastapi import FastAPI
+from fastapi import APIRouter, FastAPI
 from fastapi.responses import Response
 from starlette.middleware import Middleware
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
@@ -39,37 +39,8 @@ DESCRIPTION = """A what-if laboratory for active suspension over bumps.
 
 SI units everywhere, except speeds a person types (`*_kmh`). Errors are RFC 9457 `application/problem+json`."""
 
-ROUTERS = (
-    runs.computing,
-    runs.runs,
-    runs.drawing,
-    batches.submitting,
-    batches.reading,
-    batches.lists,
-    batches.batches,
-    batches.naming,
-    tunings.beginning,
-    tunings.naming,
-    tunings.lists,
-    tunings.tunings,
-    links.sharing,
-    links.listing,
-    links.links,
-    paper.paper,
-    controller.compilers,
-    controller.withdrawn,
-    controller.controller,
-    library.library,
-    library.data_sheets,
-    roads.surveying,
-    roads.listing,
-    roads.roads,
-    recordings.reading,
-    recordings.listing,
-    recordings.recordings,
-    login.login,
-    health.health,
-)
+# Their routers are included in this order, those of one module as they stand there.
+MODULES = (runs, batches, tunings, links, paper, controller, library, roads, recordings, login, health)
 TRIM_INTERVAL = 60.0  # else freed pages add up in hours of mixed work (tests/drill/test_soak.py) [s]
 COMPRESS_FROM = 2048  # shorter answers fit two network packets as they are [bytes]
 
@@ -109,8 +80,10 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
     )
     app.state.services = services
     problems.register(app)
-    for router in ROUTERS:
-        app.include_router(router)
+    for module in MODULES:
+        for router in vars(module).values():
+            if isinstance(router, APIRouter):
+                app.include_router(router)
     site.add_site(app, BUILT_PAGE, BUILT_MANUAL)
     app.openapi = lambda: openapi.describe(app)  # type: ignore[method-assign]  # FastAPI's own way to change it
     # Made on the first request, in a thread.
