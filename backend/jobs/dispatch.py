@@ -1,21 +1,26 @@
-"""Chunks are sent to what computes them, come back, and are stored in the database."""
+"""Chunks of about a second are cut of a job's runs, sent to what computes them, come back, and are stored."""
 
 import asyncio
 import itertools
 import logging
+import math
 import time
+from collections import Counter
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 
+import numpy as np
 import orjson
+from numpy.typing import NDArray
 from sqlalchemy.exc import DataError, IntegrityError, ProgrammingError, SQLAlchemyError
 
-from backend import custom_controllers, metrics
-from backend.compute.chunk_messages import Chunk, ChunkError, ChunkOutcome
+from backend import custom_controllers, digest, metrics
+from backend.compute.chunk_messages import Chunk, ChunkError, ChunkOutcome, ComputeRun
 from backend.compute.executor import Executor, ExecutorLostError
 from backend.compute.workers import Workers
 from backend.errors import CHEAPER_RUN, ServiceError, WorkerLostError, WorkerTimeoutError
 from backend.job_run import JobRun
-from backend.jobs.chunk_cutter import RunningJob
+from backend.jobs.kind import JobKind
 from backend.outcome import Outcome
 from backend.store import Store, StoredJob
 from backend.store.roads import PROFILE
@@ -24,6 +29,9 @@ from sim_core.scenario.measured import MeasuredRoad
 
 logger = logging.getLogger(__name__)
 
+CHUNK_SECONDS = 1.0  # a chunk is cut to take about so long
+LONGEST_CHUNK = 1000  # runs
+MOST_CRASHES = 3  # a run alone may lose its processes so often (two each time) before it fails
 CHUNK_BUDGET = 2.0  # a chunk is cut short after this, where its runs take longer than those before [s]
 KEY_COST = 0.0003  # of one run [s of one core]
 PAUSE_AFTER_FAILURE = 2.0  # after the database or the executor failed [s]
@@ -33,6 +41,84 @@ REASONS: dict[ChunkError, str] = {
     "timeout": f"The computation took longer than the limit and was ended; {CHEAPER_RUN}",
     "bug": "The computation failed with an unforeseen error; it is in the service's log",
 }
+
+
+@dataclass(slots=True, kw_only=True)
+class RunningJob:
+    """A job whose runs are being computed.
+
+    Attributes:
+        job: The stored job as it was at the start.
+        kind: What is computed of its runs.
+        group: Cancels all its chunks together.
+        order: Positions of the runs that waited at the start, in the order in which they are computed.
+        sent: How many of them are sent.
+        to_resend: Chunks to send again before new ones are cut.
+        open_chunks: Chunks sent and not yet stored.
+        last_send: Number of its last chunk among all chunks sent.
+        run_seconds: Mean time of a run in the chunks so far [s].
+        crash_count: How often a run alone lost its processes, by position.
+    """
+
+    job: StoredJob
+    kind: JobKind
+    group: str = field(default_factory=digest.random_id)
+    order: NDArray[np.intp]
+    sent: int = 0
+    to_resend: list[list[JobRun]] = field(default_factory=list)
+    open_chunks: int = 0
+    last_send: int = 0
+    run_seconds: float | None = None
+    crash_count: Counter[int] = field(default_factory=Counter)
+
+    @property
+    def compute(self) -> ComputeRun:
+        """Return what a worker computes of each run."""
+        if self.kind.compute is None:
+            raise TypeError(f"Jobs of the kind {self.kind.name} have no runs")
+        return self.kind.compute
+
+    async def next_chunk(self, store: Store, max_chunks: int) -> list[JobRun]:
+        """Return the next chunk, where all jobs have at most `max_chunks` open; empty where no run is left."""
+        if self.to_resend:
+            return self.to_resend.pop(0)
+        size = self.size(max_chunks)
+        while next_ones := self.order[self.sent : self.sent + size].tolist():
+            self.sent += len(next_ones)
+            waiting = {run.position: run for run in await store.read(store.job_runs.waiting, self.job.id, next_ones)}
+            if waiting:
+                return [waiting[each] for each in next_ones if each in waiting]
+        return []
+
+    def take_back(self, *chunks: list[JobRun]) -> None:
+        """Send these chunks again."""
+        self.to_resend += [chunk for chunk in chunks if chunk]
+
+    def halve(self, runs: list[JobRun]) -> bool:
+        """Send a chunk that failed again as two halves; False where it is a single run."""
+        half = len(runs) // 2
+        self.take_back(*([runs[:half], runs[half:]] if half else []))
+        return half > 0
+
+    def try_again(self, runs: list[JobRun]) -> bool:
+        """Send a single run that lost its process again; False after `MOST_CRASHES` tries."""
+        self.crash_count[runs[0].position] += 1
+        if self.crash_count[runs[0].position] == MOST_CRASHES:
+            return False
+        self.take_back(runs)
+        return True
+
+    def record_time(self, runs: int, seconds: float) -> None:
+        """Update the mean time of a run: a chunk of `runs` took `seconds`."""
+        if runs:
+            each = seconds / runs
+            self.run_seconds = each if self.run_seconds is None else 0.7 * self.run_seconds + 0.3 * each
+
+    def size(self, max_chunks: int) -> int:
+        """Return the size of the next chunk, where `max_chunks` can be open: the processes share the rest."""
+        each = self.run_seconds or self.job.estimated_cost / self.job.total
+        left = len(self.order) - self.sent
+        return max(1, min(LONGEST_CHUNK, int(CHUNK_SECONDS / max(each, 1e-4)), math.ceil(left / max_chunks)))
 
 
 class Dispatch:
@@ -163,28 +249,26 @@ class Dispatch:
         return running.halve(runs) or (outcome.error == "lost" and running.try_again(runs))
 
     async def _commit(self, running: RunningJob, computed: Sequence[Outcome], failures: Mapping[int, str]) -> None:
-        """Store a chunk's results, and wait for the database as long as it is away."""
-        new, failed = await self._save(running.job, computed, failures)
-        stored = [run for run in computed if run.key in new]  # not what was sent again while it waited for the database
-        refused = sum(run.status == "failed" for run in stored)
-        metrics.count_runs("batch", "ok", len(stored) - refused, sum(run.fallbacks for run in stored))
-        metrics.count_runs("batch", "failed", refused + failed)
-
-    async def _save(
-        self, job: StoredJob, computed: Sequence[Outcome], failures: Mapping[int, str]
-    ) -> tuple[set[str], int]:
-        """Store them as `JobRunStore.save` does, as often as the database is away."""
+        """Store a chunk's results as `JobRunStore.save` does, as often as the database is away."""
+        job = running.job
         while True:
             try:
-                return await self._store.write(self._store.job_runs.save, job.id, computed, CORE_VERSION, failures)
+                new, failed = await self._store.write(
+                    self._store.job_runs.save, job.id, computed, CORE_VERSION, failures
+                )
+                break
             except PERMANENT as error:
                 logger.exception("The database takes no results of job %s", job.id)
                 reason = f"The result could not be stored: {type(error).__name__}; it is in the service's log"
                 await self._store.write(self._store.jobs.fail, job, reason)
-                return set(), 0
+                return
             except SQLAlchemyError as error:
                 logger.warning("A chunk waits for the database: %s", type(error).__name__)
                 await asyncio.sleep(PAUSE_AFTER_FAILURE)
+        stored = [run for run in computed if run.key in new]  # not what was sent again while it waited for the database
+        refused = sum(run.status == "failed" for run in stored)
+        metrics.count_runs("batch", "ok", len(stored) - refused, sum(run.fallbacks for run in stored))
+        metrics.count_runs("batch", "failed", refused + failed)
 
 
 def _split(

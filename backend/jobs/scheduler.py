@@ -23,8 +23,7 @@ from backend.compute.workers import Workers
 from backend.db.commits import Follower
 from backend.errors import DamagedError, ServiceError, TemporaryError, WorkerLostError
 from backend.job_run import JobRun
-from backend.jobs.chunk_cutter import MOST_CRASHES, RunningJob
-from backend.jobs.dispatch import Dispatch
+from backend.jobs.dispatch import MOST_CRASHES, Dispatch, RunningJob
 from backend.jobs.kind import JobFailedError, JobKind
 from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.jobs.problem import problem_of

@@ -12,7 +12,7 @@ from sqlalchemy.exc import OperationalError
 from backend.batches.kind import SWEEP
 from backend.errors import WorkerLostError
 from backend.job_run import JobRun
-from backend.jobs import chunk_cutter
+from backend.jobs import dispatch
 from backend.jobs.kind import AddRuns, JobSize
 from backend.jobs.scheduler import Scheduler
 from backend.settings import Settings
@@ -79,9 +79,9 @@ def test_a_batch_that_is_resumed_after_planning_crashed_outlives_a_database_that
 
     def crash() -> None:
         number = next(tries)
-        if number < chunk_cutter.MOST_CRASHES:
+        if number < dispatch.MOST_CRASHES:
             raise WorkerLostError
-        if number == chunk_cutter.MOST_CRASHES:
+        if number == dispatch.MOST_CRASHES:
             raise OperationalError("SELECT secret", {}, sqlite3.OperationalError("away"))
 
     job = planned(tmp_path, crash, resumed=True)

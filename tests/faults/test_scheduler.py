@@ -23,7 +23,7 @@ from backend.db import database, sqlite
 from backend.db.sqlite import DatabaseLockedError
 from backend.errors import WorkerLostError, WorkerTimeoutError
 from backend.job_run import JobRow, JobRun
-from backend.jobs import chunk_cutter, dispatch, scheduler
+from backend.jobs import dispatch, scheduler
 from backend.jobs.kind import JobSize, RunKeys
 from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.jobs.scheduler import Scheduler
@@ -216,7 +216,7 @@ def test_a_run_that_cannot_be_computed_fails_alone(tmp_path: Path, trouble: Any,
     assert rows[17].reason == dispatch.REASONS[trouble]
     assert [row.status for row in rows].count("ok") == RUNS - 1
     alone = [chunk for chunk in Misbehaving.chunks if seeds(chunk) == [17]]
-    assert len(alone) == (chunk_cutter.MOST_CRASHES if trouble == "lost" else 1)
+    assert len(alone) == (dispatch.MOST_CRASHES if trouble == "lost" else 1)
 
 
 @pytest.mark.parametrize(
