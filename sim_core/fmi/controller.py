@@ -41,11 +41,8 @@ class FmuController(Controller):
     A subclass is made for each FMU by `controllers_of_fmu`.
     """
 
-    description_of_fmu: ClassVar[Description]
-    folder: ClassVar[Path]
-    library: ClassVar[Path]
+    unpacked: ClassVar[tuple[Description, Path, Path]]  # as `unpack` gives them
     parameters: ClassVar[dict[str, Variable]]
-    own_sample_time: ClassVar[float | None]
 
     def start(self, setup: Setup) -> None:
         """Make an instance and initialize it with the options.
@@ -53,11 +50,11 @@ class FmuController(Controller):
         Raises:
             RidelabError: It cannot be made, or is for another sample time.
         """
-        fmu_step, step = self.own_sample_time, setup.sample_time
+        fmu, step = self.unpacked[0], setup.sample_time
+        fmu_step = next((each.start for each in fmu.variables if each.name == "sample_time"), None)
         if fmu_step is not None and abs(fmu_step - step) > 1e-9 * step:
             message = f"{self.label}: the FMU is for control steps of {fmu_step:g} s, the scenario has {step:g} s"
             raise RefusedError(message, field="mpc.sample_time")
-        fmu = self.description_of_fmu
         inputs = [each for each in fmu.variables if each.causality == "input"]
         outputs = [each for name in FORCES for each in fmu.variables if each.name == name]
         self._inputs = [(numbers, [self._place(name) for name in names]) for numbers, names in _typed(fmu, inputs)]
@@ -65,7 +62,7 @@ class FmuController(Controller):
         names = {each.name for each in inputs}
         self._measures, self._sees_road = not names.isdisjoint(_MEASURED), any(map(_sees_road, names))
         self._sample_time = step
-        self._instance = Instance(fmu, self.folder, self.library, self.label)
+        self._instance = Instance(*self.unpacked, self.label)
         self._instance.begin(list(self._options()))
 
     def force(self, seen: Seen) -> FloatArray:
@@ -110,7 +107,7 @@ class FmuController(Controller):
         return [*values, *now.tolist(), *heights.T.ravel().tolist(), *expected[2].tolist()]
 
     def _options(self) -> Iterable[Numbers]:
-        fmu = self.description_of_fmu
+        fmu = self.unpacked[0]
         values = {variable.name: getattr(self, name) for name, variable in self.parameters.items()}
         for numbers, names in _typed(fmu, self.parameters.values()):
             numbers.values[:] = [numbers.number(values[name]) for name in names]
@@ -136,7 +133,7 @@ def controllers_of_fmu(path: Path, content: bytes) -> dict[str, type[Controller]
     Raises:
         RidelabError: It is none that Ridelab can drive; the message says why.
     """
-    fmu, folder, library = unpack(content)
+    unpacked = fmu, _, _ = unpack(content)
     horizon = _checked(fmu)
     parameters = _parameters(fmu)
     name = re.sub(r"[^a-z0-9_]+", "_", path.stem.lower()).lstrip("_0123456789") or "fmu"
@@ -147,7 +144,6 @@ def controllers_of_fmu(path: Path, content: bytes) -> dict[str, type[Controller]
         each: option(variable.start, unit=variable.unit, ge=variable.least, le=variable.most, help=variable.description)
         for each, variable in parameters.items()
     }
-    own = next((each.start for each in fmu.variables if each.name == "sample_time"), None)
     preview = scenario_field("mpc.preview") if any(map(_sees_road, _inputs(fmu))) else "none"
     kind = type(
         "Fmu",
@@ -158,11 +154,8 @@ def controllers_of_fmu(path: Path, content: bytes) -> dict[str, type[Controller]
             "__annotations__": {each: type(variable.start) for each, variable in parameters.items()},
             "id": name,
             "label": fmu.name or name,
-            "description_of_fmu": fmu,
-            "folder": folder,
-            "library": library,
+            "unpacked": unpacked,
             "parameters": parameters,
-            "own_sample_time": own,
             "preview": preview,
             "prediction_horizon": horizon,
             **fields,

@@ -84,13 +84,9 @@ def why(
 
 def _holding(limits: tuple[Limit, ...], command: FloatArray) -> tuple[Limit, int] | None:
     """Return the limit without which the command would change most, and the axle where; None where none changes it."""
-    differences = [
-        (float(np.abs(limit.force_without - command).max()), limit, int(np.abs(limit.force_without - command).argmax()))
-        for limit in limits
-        if limit.force_without is not None
-    ]
-    most = max(differences, key=lambda each: each[0], default=None)
-    return None if most is None or most[0] <= _NOTICED else most[1:]
+    freed = [(limit, np.abs(limit.force_without - command)) for limit in limits if limit.force_without is not None]
+    limit, change = max(freed, key=lambda each: float(each[1].max()), default=(None, np.zeros(1)))
+    return None if limit is None or change.max() <= _NOTICED else (limit, int(change.argmax()))
 
 
 def _newtons(force: float) -> str:
