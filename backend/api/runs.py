@@ -24,8 +24,7 @@ from backend.runs.figures import PANELS
 from backend.runs.frequency import FrequencyAnswer, FrequencyRequest
 from backend.runs.fuzzy import FuzzyAnswer, FuzzyRequest
 from backend.runs.instants import InstantAnswer
-from backend.runs.models import CreatedRun, LiveRun, Run, RunRequest
-from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
+from backend.runs.models import Bands, CreatedRoadsRun, CreatedRun, LiveRun, PairedChanges, RoadsRun, Run, RunRequest
 from backend.runs.solve.models import Solution, SolveRequest
 from sim_core.catalogue import SIGNALS
 

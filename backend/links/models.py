@@ -18,8 +18,7 @@ from backend.batches.models import Batch
 from backend.models import Answer, RequestModel, StrategyId, inconsistent
 from backend.plain_text import PlainText
 from backend.requirements import Requirement, Requirements
-from backend.runs.models import Run
-from backend.runs.over_roads import RoadsRun
+from backend.runs.models import RoadsRun, Run
 from sim_core.catalogue import METRIC_SIGNALS, METRICS, RUN_FIGURES, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario
 

@@ -1,6 +1,6 @@
 """The answers about a stored run: each strategy's result, over several roads with mean, interval and change.
 
-They have the shapes of `backend.models` and `backend.runs.over_roads`; what is stored as JSON goes in as it is.
+They have the shapes of `backend.models` and `backend.runs.models`; what is stored as JSON goes in as it is.
 Over 50 roads they take 0.2 s: they are made in threads, beside the event loop.
 """
 

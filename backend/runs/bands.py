@@ -127,7 +127,7 @@ def render(
     encoding: str,
     path: Path | None,
 ) -> bytes:
-    """JSON of `backend.runs.over_roads.Bands`.
+    """JSON of `backend.runs.models.Bands`.
 
     Args:
         files: By strategy its band's.

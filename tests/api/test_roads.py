@@ -10,8 +10,7 @@ import pytest
 
 from backend.means_over_roads import with_seeds
 from backend.runs import bands, histories
-from backend.runs.models import CreatedRun
-from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
+from backend.runs.models import Bands, CreatedRoadsRun, CreatedRun, PairedChanges, RoadsRun
 from sim_core import Scenario, simulate
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, SIGNALS, STATISTICS, WINDOWS
 from sim_core.comparison.intervals import change_with_interval, mean_with_interval

@@ -8,7 +8,7 @@ from pydantic_core import PydanticCustomError
 
 from backend.models import Answer, MetricName, RequestModel, RoadCount, SentScenario, StrategyName, inconsistent
 from backend.requirements import RequirementResult, Requirements
-from backend.runs.over_roads import Interval
+from backend.runs.models import Interval
 from backend.runs.solve.limit_search import Axis
 from backend.unknown_names import unknown_name
 from sim_core.catalogue import METRICS

@@ -7,7 +7,7 @@ from math import inf, isfinite
 from backend.errors import InvalidError, NoSolutionError, ServiceError
 from backend.json_types import Summary
 from backend.requirements import RequirementResult, judged, used
-from backend.runs.over_roads import Interval
+from backend.runs.models import Interval
 from backend.runs.solve import limit_search
 from backend.runs.solve.models import Solution, SolveRequest, TriedValue
 from backend.scenario_at import scenario_at
