@@ -1,6 +1,5 @@
 """Reports without a service: numbers in words, the scenario's tables, caveats, and text that wants to be markup."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from datetime import UTC, datetime
 from typing import Any
@@ -14,41 +13,26 @@ from backend.runs.reports.caveats import caveats
 from backend.runs.reports.run import RunFacts, report
 from sim_core.comparison import numbers
 from sim_core.scenario import Scenario, dotted
+from tests import wording
 from tests.html import check, read
 
 HOSTILE = "</script><script>alert(1)</script><img src=x onerror=alert(1)>\"'&{{7*7}}"
 
 
-FORMATS: dict[Callable[..., str], list[tuple[tuple[float, ...], str]]] = {
-    numbers.significant: [
-        ((0.0,), "0"),
-        ((0.8982,), "0.898"),
-        ((-43.72,), "−43.7"),
-        ((10543.0,), "10\u202f543"),
-        ((6.4e-5,), "6.4×10⁻⁵"),
-        ((float("nan"),), "–"),
-    ],
-    numbers.exact: [  # of inputs every digit
-        ((1536.7,), "1536.7"),
-        ((64e-6,), "6.4×10⁻⁵"),
-        ((0.1,), "0.1"),
-        ((-0.06,), "−0.06"),
-    ],
-    numbers.percent: [  # a sign unless it is nothing, and an interval's half where that is not nothing
-        ((-43.72,), "−43.7\u2009%"),
-        ((-0.04,), "0.0\u2009%"),
-        ((1e6,), "> +9999\u2009%"),
-        ((-43.7, 2.0), "−44 ± 2\u2009%"),
-        ((0.1, 0.04), "+0.1\u2009%"),
-        ((-0.2, 3.0), "0 ± 3\u2009%"),
-        ((-12e3, 50.0), "< −9999 ± 50\u2009%"),
-    ],
-}
+@pytest.mark.parametrize("asked", wording.asked_in("reports"))
+def test_numbers_and_caveats_as_a_report_shows_them(asked: list[Any]) -> None:
+    """Of inputs every digit, of changes a sign unless it is nothing; caveats of events and a car where they matter."""
+    form, *values = asked
+    if form == "caveats":
+        events, vehicle = values
+        car = {"tyre_lift_off": False, "bump_stop_clearance": None, **vehicle}
+        wording.check("reports", asked, caveats({"status": "ok", "arrival_speed_kmh": 41.26, "events": events}, car))
+    else:
+        wording.check("reports", asked, getattr(numbers, form)(*values))
 
 
-@pytest.mark.parametrize(("form", "cases"), FORMATS.items(), ids=[form.__name__ for form in FORMATS])
-def test_numbers_as_a_report_shows_them(form: Callable[..., str], cases: list[tuple[tuple[float, ...], str]]) -> None:
-    assert [form(*values) for values, _ in cases] == [shown for _, shown in cases]
+def test_what_is_no_number_is_a_dash() -> None:
+    assert numbers.significant(float("nan")) == "–"
 
 
 def test_every_field_is_in_the_tables_and_what_differs_is_marked() -> None:
@@ -98,31 +82,6 @@ def facts(outcomes: dict[str, Outcome], **more: Any) -> RunFacts:
         axis="position",
         gone=None,
     )
-
-
-def test_caveats_are_sentences_only_where_there_are_any() -> None:
-    entry = {"status": "ok", "arrival_speed_kmh": 41.26, "events": {}}
-    vehicle = {"tyre_lift_off": False, "bump_stop_clearance": None}
-    minute = {"airborne_ms": 0.9, "travel_exceeded_mm": 0.007, "target_reached": None}
-    assert caveats({**entry, "events": minute}, vehicle) == []
-    for event, noteworthy in (("airborne_ms", 1.0), ("travel_exceeded_mm", 0.1)):
-        assert len(caveats({**entry, "events": {**minute, event: noteworthy}}, vehicle)) == 1, event
-    events = {
-        "airborne_ms": 94.0,
-        "travel_exceeded_mm": 1.57,
-        "target_reached": False,
-        "bump_complete": False,
-        "qp_solves": 79,
-        "qp_fallbacks": 3,
-        "qp_failures": 1,
-    }
-    sentences = caveats({**entry, "events": events}, vehicle)
-    said = ["94\u00a0ms", "1.6\u00a0mm", "41.3\u00a0km/h", "rear axle", "1 of 79", "3"]
-    assert [number for number, sentence in zip(said, sentences, strict=True) if number not in sentence] == []
-    real = caveats({**entry, "events": events}, {"tyre_lift_off": True, "bump_stop_clearance": 0.05})
-    assert real[0] == "Airborne: a tyre is off the road for 94\u00a0ms."
-    assert "bump stops" in sentences[1]
-    assert "bump stops" not in real[1]
 
 
 def test_text_never_becomes_markup(outcomes: dict[str, Outcome]) -> None:
