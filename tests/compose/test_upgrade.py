@@ -16,7 +16,7 @@ from tests.servers.process import ROOT
 
 OLD_COMMIT, OLD_IMAGE = "899e0802", "ridelab:0.4.0"
 MOST_BYTES = 850e6  # of the image
-RUNS = 3000  # of a batch
+RUNS = 1500  # of a batch
 PORT = "8062"
 NAME = f"{PROJECT}-alone"
 
