@@ -7,7 +7,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import suppress
+from contextlib import ExitStack, suppress
 from pathlib import Path
 
 import psutil
@@ -54,9 +54,21 @@ def test_while_it_is_away_answers_are_503_and_then_as_before(service: Process, p
     submit(service, SHORT, 3, **{"Idempotency-Key": "when-away"})
 
 
-def test_a_running_batch_goes_on_when_it_is_back(service: Process, postgres: Postgres) -> None:
+@pytest.fixture
+def stack() -> Iterator[ExitStack]:
+    """Closes what a test opens."""
+    with ExitStack() as stack:
+        yield stack
+
+
+def test_a_running_batch_and_its_stream_go_on_when_it_is_back(
+    service: Process, postgres: Postgres, stack: ExitStack
+) -> None:
     batch_id = submit(service, {"road": {"length": 121.9}}, LONG_BATCH)
     process, logged = halted(service, batch_id), len(service.log)
+    stream = service.client.stream("GET", f"/api/v1/batches/{batch_id}/events", timeout=HANG_TIMEOUT)
+    events = stack.enter_context(stream).iter_lines()
+    assert next(events)
     postgres.kill()
     with suppress(psutil.NoSuchProcess):  # who no longer leads ends what it computes
         process.resume()
@@ -68,6 +80,7 @@ def test_a_running_batch_goes_on_when_it_is_back(service: Process, postgres: Pos
     service.wait_until_ready()
     assert 0 < state(service, batch_id)["done"] < LONG_BATCH
     finished(service, batch_id, LONG_BATCH)
+    assert '"done"' in [line for line in events if line.startswith("data:")][-1], "who follows its events hears of it"
 
 
 def test_a_start_without_it_says_so_and_ends(tmp_path: Path) -> None:
