@@ -15,7 +15,7 @@ ROW_COST = 0.00016  # of one row with every figure [s of one core]
 
 
 def columns(rows: Sequence[JobRow], names: Iterable[str], figures: Iterable[str]) -> dict[str, list[Any]]:
-    """Some rows column by column: fixed ones, the swept fields `names`, `figures` (keys of `METRICS`), the source."""
+    """Return some rows column by column: fixed ones, swept fields, `figures` (keys of `METRICS`), the source."""
     changes = [orjson.loads(row.changes) for row in rows]
     summaries = [orjson.loads(row.summary) if row.summary is not None else {} for row in rows]
     table: dict[str, list[Any]] = {
@@ -32,17 +32,17 @@ def columns(rows: Sequence[JobRow], names: Iterable[str], figures: Iterable[str]
 
 
 def column_texts(rows: Sequence[JobRow], names: Iterable[str], figures: Iterable[str]) -> list[bytes]:
-    """`columns` as JSON, of each its values with commas between."""
+    """Return `columns` as JSON, of each its values with commas between."""
     return [orjson.dumps(values)[1:-1] for values in columns(rows, names, figures).values()]
 
 
 def as_json(rows: Sequence[JobRow]) -> bytes:
-    """Some rows as objects of JSON with commas between."""
+    """Return some rows as objects of JSON with commas between."""
     return b",".join(map(_json_row, rows))
 
 
 def as_csv(rows: Sequence[JobRow], batch_id: str, names: Sequence[str]) -> bytes:
-    """Some rows as lines of CSV: the fixed columns, the swept fields `names`, every metric and the batch."""
+    """Return some rows as lines of CSV: the fixed columns, the swept fields `names`, every metric and the batch."""
     table = [[_cell(value) for value in values] for values in whole(rows, batch_id, names).values()]
     sink = io.StringIO()
     csv.writer(sink, lineterminator="\n").writerows(zip(*table, strict=True))
@@ -50,7 +50,7 @@ def as_csv(rows: Sequence[JobRow], batch_id: str, names: Sequence[str]) -> bytes
 
 
 def whole(rows: Sequence[JobRow], batch_id: str, names: Sequence[str]) -> dict[str, list[Any]]:
-    """All columns of a file."""
+    """Return all columns of a file."""
     return {**columns(rows, names, METRICS), "batch": [batch_id] * len(rows)}
 
 

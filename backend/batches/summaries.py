@@ -156,7 +156,7 @@ class Summaries:
     )
 
     async def get(self, job: StoredJob, figures: Sequence[str], baseline: str | None, client: str) -> BatchSummary:
-        """The summary of the batch's finished rows.
+        """Return the summary of the batch's finished rows.
 
         Raises:
             InvalidError: It does not have that baseline.

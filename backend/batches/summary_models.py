@@ -16,7 +16,7 @@ Cell = Annotated[
                 {"type": "string"},
                 {"type": "boolean"},
                 NUMBERS_SCHEMA,
-                {"type": "object", "additionalProperties": {"type": "string"}},  # a law's file and digest
+                {"type": "object", "additionalProperties": {"type": "string"}},  # a controller's file and digest
                 {"type": "null"},
             ]
         }

@@ -26,7 +26,7 @@ FIXED = ("run", "strategy", "status", "reason", "core_version")
 
 
 def units(batch: StoredJob) -> dict[str, str]:
-    """The unit of each column that has one."""
+    """Return the unit of each column that has one."""
     named = {name: dotted.fields()[name].unit for name in batch.request["fields"] if name in dotted.fields()}
     return named | {key: metric.unit for key, metric in METRICS.items()}
 
@@ -71,7 +71,7 @@ async def as_csv(batch: StoredJob, _: Page, pages: Pages, call: Call) -> AsyncIt
 
 
 def column_names(batch: StoredJob) -> dict[str, str]:
-    """The columns of a file by key, each with the name it has there: `road.length [m]`."""
+    """Return the columns of a file by key, each with the name it has there: `road.length [m]`."""
     unit_of = units(batch)
     keys = (*FIXED, *batch.request["fields"], *METRICS, "source", "batch")
     return {key: f"{key} [{unit_of[key]}]" if key in unit_of else key for key in keys}

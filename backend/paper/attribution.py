@@ -16,7 +16,7 @@ from sim_core import SpeedPlan
 from sim_core.comparison.intervals import Interval, change_with_interval
 from sim_core.scenario import Preview, Scenario, StageWeights, dotted
 
-Law = Literal["passive", "lqr", "mpc"]
+ControllerName = Literal["passive", "lqr", "mpc"]
 Weighting = Literal["equal", "comfort", "switched"]
 FACTORS = ("speed", "preview", "switching")
 COMFORT_FIGURES = ("weighted_rms", "vibration_dose")
@@ -36,19 +36,19 @@ _CONTROLLER_WORDS = {"passive": "Passive", "lqr": "LQR", "mpc": "MPC"}
 class Variant:
     """One combination; `preview` and `weights` are None where there is nothing to choose."""
 
-    controller: Law
+    controller: ControllerName
     speed: SpeedPlan
     preview: Preview | None = None
     weights: Weighting | None = None
 
     @property
     def id(self) -> str:
-        """The parts, joined."""
+        """Return the parts, joined."""
         return "-".join(str(part) for part in (self.controller, self.speed, self.preview, self.weights) if part)
 
     @property
     def label(self) -> str:
-        """The parts in words."""
+        """Return the parts in words."""
         words = [_CONTROLLER_WORDS[self.controller]]
         if self.controller == "mpc" and self.weights:
             words.append(_WEIGHTS_WORDS[self.weights])
@@ -58,11 +58,11 @@ class Variant:
 
     @property
     def known_as(self) -> str | None:
-        """The strategy of the paper it is, if it is one."""
+        """Return the strategy of the paper it is, if it is one."""
         return _KNOWN.get(self)
 
     def scenario(self, seed: int) -> Scenario:
-        """The paper's scenario with this variant's speed, preview and weights."""
+        """Return the paper's scenario with this variant's speed, preview and weights."""
         changes: dict[str, Any] = {"speed.policy": self.speed}
         if self.preview is not None:
             changes[f"{self.controller}.preview"] = self.preview
@@ -73,7 +73,7 @@ class Variant:
 
     @property
     def strategy(self) -> str:
-        """The id of the strategy that has its controller; the scenario says how fast it goes."""
+        """Return the id of the strategy that has its controller; the scenario says how fast it goes."""
         return {"passive": "passive", "lqr": "lqr", "mpc": "lv"}[self.controller]
 
 
@@ -148,7 +148,7 @@ def _corner(added: frozenset[str]) -> str:
 
 
 def compared(first: str, second: str, values: Values) -> list[Interval]:
-    """Change of one variant against another in each of claims.FIGURES."""
+    """Return the change of one variant against another in each of claims.FIGURES."""
     return [change_with_interval(values[first][figure], values[second][figure]) for figure in FIGURES]
 
 

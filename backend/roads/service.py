@@ -150,15 +150,15 @@ def _missing(road_id: str) -> str:
 
 
 def drawn(road: MeasuredRoad, points: int) -> tuple[list[float], list[float], list[DetectedBump]]:
-    """At most `points` of its heights, the ends and the extremes of each section, with distances; and its bumps."""
+    """Return at most `points` of its heights, the ends and extremes of each section, with distances; and its bumps."""
     heights = road.heights()
     count, sections = len(heights), (points - 2) // 2
     samples = np.arange(count)
     if points < count:
         each = -(-count // max(1, sections))
-        stretches = np.pad(heights, (0, -count % each), mode="edge").reshape(-1, each)[:sections]
-        first = np.arange(len(stretches)) * each
-        lowest, highest = first + stretches.argmin(axis=1), first + stretches.argmax(axis=1)
+        sections_of_road = np.pad(heights, (0, -count % each), mode="edge").reshape(-1, each)[:sections]
+        first = np.arange(len(sections_of_road)) * each
+        lowest, highest = first + sections_of_road.argmin(axis=1), first + sections_of_road.argmax(axis=1)
         samples = np.unique(np.concatenate([[0], lowest, highest, [count - 1]]).clip(max=count - 1))
     return (samples * SPACING).round(2).tolist(), heights[samples].tolist(), bumps_in(heights)
 

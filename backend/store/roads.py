@@ -16,14 +16,14 @@ PROFILE = "profile"  # a road's field
 
 
 def measured_roads(scenario: JsonObject) -> set[str]:
-    """Ids of the measured roads that a plain scenario names: one or none."""
+    """Return the ids of the measured roads that a plain scenario names: one or none."""
     road = scenario.get("road")
     named = road.get(PROFILE) if isinstance(road, dict) else None
     return set() if named is None else {named}
 
 
 def swept_roads(sweep: JsonObject) -> set[str]:
-    """Ids of the measured roads that a sweep names, in the form of the request; what is no id is left out."""
+    """Return the ids of the measured roads that a sweep of a request names; what is no id is left out."""
     name = f"road.{PROFILE}"
     named = [*(sweep.get("grid") or {}).get(name, ()), *(point.get(name) for point in sweep.get("list") or ())]
     return {each for each in named if isinstance(each, str) and re.fullmatch(ID_PATTERN, each)}
@@ -47,7 +47,7 @@ class RoadStore(FileStore):
             connection.execute(update(roads).where(roads.c.id == road.id, roads.c.analysis.is_(None)).values(**first))
 
     def analysis(self, road_id: str) -> JsonObject:
-        """What was said of the first file of the stored road; empty where that was before roads were analysed."""
+        """Return what was said of the first file of the stored road; empty for roads of before they were analysed."""
         rows = self._checked(roads, select(roads).where(roads.c.id == road_id), "measured road")
         return (rows[0].analysis if rows else None) or {}
 

@@ -68,7 +68,7 @@ class Generation(Answer):
 
     @classmethod
     def of(cls, event: JsonObject) -> Self:
-        """From its event, which counts the generations that are complete."""
+        """Make it from its event, which counts the generations that are complete."""
         return cls(
             generation=event["generation"] - 1,
             trials=event["done"] + event["failed"],
@@ -122,7 +122,7 @@ class TuningItem(Answer):
 
     @classmethod
     def of(cls, job: StoredJob) -> Self:
-        """A stored tuning."""
+        """Make the answer of a stored tuning."""
         return cls(**cls._fields(job))
 
     @staticmethod
@@ -147,7 +147,7 @@ class Tuning(TuningItem):
 
     scenario: JsonObject
     paper: Trial | None = Field(
-        description="The paper's weights, or the defaults of a law of one's own; null until the first generation is "
+        description="The paper's weights, or the defaults of a custom controller; null until the first generation is "
         "complete"
     )
     own: Trial | None = Field(description="The scenario's own weights where they are not the paper's")
@@ -159,7 +159,7 @@ class Tuning(TuningItem):
 
     @classmethod
     def whole(cls, job: StoredJob, trials: Sequence[StoredTrial], history: Sequence[JsonObject]) -> Self:
-        """A stored tuning with its trials and the events of its generations."""
+        """Make the answer of a stored tuning with its trials and the events of its generations."""
         request = job.request
         members = front.front(trials)
         return cls(

@@ -13,7 +13,7 @@ PAPER, SCENARIO, KNEE = "paper", "scenario", "knee"
 
 
 def roles(trials: Sequence[StoredTrial], objectives: int, *, own: bool) -> dict[int, list[str]]:
-    """Trials worth comparing, by number, with what each is: the paper's, the scenario's own, the best, the knee.
+    """Return the trials worth comparing, by number, with what each is: the paper's, the scenario's, the best, the knee.
 
     Args:
         trials: All of them; the paper's first, and the scenario's own behind it if it is there (`own`).
@@ -31,7 +31,7 @@ def roles(trials: Sequence[StoredTrial], objectives: int, *, own: bool) -> dict[
 
 
 def columns(aims: Aims) -> list[ComparedFigure]:
-    """The objectives, the limits, the paper's eight."""
+    """Return the columns: the objectives, the limits, the paper's eight."""
     named = {f"objectives.{index}": objective for index, objective in enumerate(aims.objectives)} | aims.metrics
     return [ComparedFigure(key=key, label=each.label, unit=each.unit) for key, each in named.items()]
 
@@ -44,7 +44,7 @@ def compared(
     fresh: Sequence[int],
     aims: Aims,
 ) -> list[ComparedPoint]:
-    """Each set of weights over both sets of roads.
+    """Compare each set of weights with the paper's over both sets of roads.
 
     Args:
         trials: All of them.

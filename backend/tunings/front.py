@@ -9,12 +9,12 @@ Point = Sequence[float]
 
 
 def best(trials: Sequence[StoredTrial], objective: int) -> StoredTrial | None:
-    """The feasible trial with the objective's smallest value; the first of equal ones."""
+    """Return the feasible trial with the objective's smallest value; the first of equal ones."""
     return min(_feasible(trials), key=lambda trial: (_values(trial)[objective], trial.number), default=None)
 
 
 def front(trials: Sequence[StoredTrial]) -> list[StoredTrial]:
-    """Feasible trials that no other one betters in an objective without being worse in another; equal ones once."""
+    """Return the feasible trials that none dominates (is better in one objective, worse in none); equal ones once."""
     members: list[StoredTrial] = []
     # In this order nothing that comes later can dominate what is there.
     for trial in sorted(_feasible(trials), key=lambda trial: (*_values(trial), trial.number)):
@@ -24,7 +24,7 @@ def front(trials: Sequence[StoredTrial]) -> list[StoredTrial]:
 
 
 def knee(members: Sequence[StoredTrial]) -> StoredTrial | None:
-    """The member of a front of several objectives nearest to its ideal corner, each objective scaled to its range."""
+    """Return the member of a front nearest to its ideal corner, each of several objectives scaled to its range."""
     if not members or len(_values(members[0])) < 2:
         return None
     columns = list(zip(*map(_values, members), strict=True))
@@ -37,7 +37,7 @@ def knee(members: Sequence[StoredTrial]) -> StoredTrial | None:
 
 
 def dominated_share(members: Sequence[StoredTrial], reference: Point | None) -> float | None:
-    """Share of the box between zero and `reference` that the members dominate; None where there is no such box."""
+    """Return the share of the box between zero and `reference` that the members dominate; None without such a box."""
     if reference is None or not all(value > 0 for value in reference):
         return None
     scaled = [
@@ -47,7 +47,7 @@ def dominated_share(members: Sequence[StoredTrial], reference: Point | None) -> 
 
 
 def _hypervolume(points: list[list[float]]) -> float:
-    """Volume of the unit box that the points dominate (all smaller is better), slab by slab of the last coordinate."""
+    """Return the volume of the unit box that the points dominate, slab by slab of the last coordinate."""
     if not points:
         return 0.0
     if len(points[0]) == 1:

@@ -19,7 +19,7 @@ Measured = Mapping[str, float]  # of one run: a value for each objective and eac
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Failure:
-    """A run without figures, and why."""
+    """A run without metrics, and why."""
 
     reason: str
 
@@ -56,7 +56,7 @@ class Aims:
 
     @property
     def metrics(self) -> dict[str, Metric]:
-        """The limited metrics and the paper's eight, by the keys of a comparison."""
+        """Return the limited metrics and the paper's eight, by the keys of a comparison."""
         limited = {f"limits.{index}": METRICS[limit.figure] for index, limit in enumerate(self.limits)}
         return limited | {key: METRICS[key] for key in PAPER_METRICS}
 
@@ -65,7 +65,7 @@ class Aims:
         return mean(values) if self.quantile is None else float(np.quantile(values, self.quantile))
 
     def measured(self, row: JobRow, passive: Summary) -> Measured | Failure:
-        """One run's values.
+        """Return one run's values.
 
         Args:
             row: The run.
@@ -83,7 +83,7 @@ class Aims:
         return objectives | {key: float(metric.of(summary)) for key, metric in self.metrics.items()}
 
     def trial(self, number: int, generation: int, weights: Weights, roads: RunsByRoad) -> StoredTrial:
-        """A set of weights by its runs: each objective over the roads, the largest of each limited figure.
+        """Make the trial of some weights from its runs: objectives over the roads, the largest of each limited metric.
 
         Args:
             number: Of the trial.

@@ -163,18 +163,20 @@ class TuningRequest(RequestModel):
 
     @property
     def ranges(self) -> dict[str, Range]:
-        """What is searched, the default written out, in the strategy's order."""
+        """Return what is searched, the default written out, in the strategy's order."""
         return {name: self._searched[name] for name in searchable(self.strategy) if name in self._searched}
 
     def stored(self) -> JsonObject:
-        """All written out, without the number of trials, which resuming may change, and what `ADDED` says."""
+        """Return it written out, without the number of trials, which resuming may change, and what `ADDED` says."""
         added = {name for name in ADDED if getattr(self, name) == type(self).model_fields[name].default}
         plain = self.model_dump(mode="json", exclude={"trials", "dry_run", "label", *added})
         options = {name: dotted.value(plain["scenario"], name) for name in self.ranges if dotted.is_option(name)}
         source = custom_controllers.source(self.strategy)
         return {
             **plain,
-            "scenario": dotted.with_changes(plain["scenario"], options),  # with the defaults that its law has today
+            "scenario": dotted.with_changes(
+                plain["scenario"], options
+            ),  # with the defaults that its controller has today
             **({} if source is None else {"source": source}),
             "objectives": [objective.stored() for objective in self.objectives],
             "search": {name: list(ends) for name, ends in self.ranges.items()},

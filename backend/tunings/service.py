@@ -38,7 +38,7 @@ class TuningService:
         self.jobs = Jobs(kind=TUNING, store=self.store, gate=self.gate, settings=self.settings)
 
     async def estimate(self, request: TuningRequest, client: str) -> TuningEstimate:
-        """The size and the estimated time of that tuning.
+        """Return the size and the estimated time of that tuning.
 
         It is refused where `create` refuses it.
         """
@@ -100,18 +100,18 @@ class TuningService:
         return JobSize(total=job.total, estimated_cost=cost)
 
     async def answer(self, job: StoredJob) -> Tuning:
-        """The answer about a tuning: all its trials give the front, the events of its generations the history."""
+        """Return the answer about a tuning: its trials give the front, its generations' events the history."""
         trials = await self.store.read(self.store.trials.of, job.id)
         history = await self.store.read(self.store.job_events.history, job.id)
         return await asyncio.to_thread(Tuning.whole, job, trials, history)
 
     async def page(self, *, limit: int, cursor: str | None, state: State | None, label: str | None) -> Tunings:
-        """The newest tunings."""
+        """Return the newest tunings."""
         jobs, after = await self.jobs.page(limit=limit, cursor=cursor, state=state, label=label)
         return Tunings(tunings=[TuningItem.of(job) for job in jobs], next=after)
 
     async def trials(self, job_id: str) -> Trials:
-        """Every trial.
+        """Return every trial.
 
         Raises:
             NotFoundError: There is no such tuning.

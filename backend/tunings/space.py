@@ -52,23 +52,23 @@ Point = dict[str, Any]  # of the searched space: field -> value
 
 
 def weights_in(strategy: str) -> list[str]:
-    """Each single weight of the strategy by its dotted name, without the travel weight."""
+    """Return each single weight of the strategy by its dotted name, without the travel weight."""
     return [f"{name}.{index}" for name in _tunable(strategy).triples for index in range(3)]
 
 
 def tunable_strategies() -> list[str]:
-    """Ours that have weights, and the controllers of one's own."""
+    """Return our strategies that have weights, and the custom controllers."""
     return [*OURS, *(name for name in strategies() if name not in STRATEGIES)]
 
 
 def searchable(strategy: str) -> list[str]:
-    """Each number that can be searched by its dotted name, the weights or options first."""
+    """Return each number that can be searched by its dotted name, the weights or options first."""
     tunable = _tunable(strategy)
     if strategy in OURS:
         return [*weights_in(strategy), tunable.travel, tunable.horizon, *TIMING]
-    law = strategies()[strategy]
-    options = [each.name for each in option_fields(law).values() if each.kind in ("number", "integer")]
-    return [*options, *(name for name in (tunable.horizon, *TIMING) if _is_read(name, law))]
+    controller = strategies()[strategy]
+    options = [each.name for each in option_fields(controller).values() if each.kind in ("number", "integer")]
+    return [*options, *(name for name in (tunable.horizon, *TIMING) if _is_read(name, controller))]
 
 
 def takes_previews(strategy: str) -> bool:
@@ -76,12 +76,12 @@ def takes_previews(strategy: str) -> bool:
     return _is_read(_tunable(strategy).preview, strategies()[strategy])
 
 
-def _is_read(name: str, law: type[Controller]) -> bool:
-    return any(dotted.is_within(name, each) for each in reads(law))
+def _is_read(name: str, controller: type[Controller]) -> bool:
+    return any(dotted.is_within(name, each) for each in reads(controller))
 
 
 def default_search(strategy: str) -> dict[str, tuple[float, float]]:
-    """Every weight but the travel weight; of a controller of one's own every option that has both bounds.
+    """Return every weight but the travel weight; of a custom controller every option that has both bounds.
 
     None of a triple is held: q4 and R stay, so that a triple's scale is a choice as well as its ratios.
     """
@@ -96,7 +96,7 @@ def default_search(strategy: str) -> dict[str, tuple[float, float]]:
 
 
 def ranges_of(request: JsonObject) -> Ranges:
-    """The ranges that a tuning's stored request searches, and its kinds of preview."""
+    """Return the ranges that a tuning's stored request searches, and its kinds of preview."""
     previews = request.get("previews")
     return {**request["search"], **({_tunable(request["strategy"]).preview: previews} if previews else {})}
 
@@ -106,12 +106,12 @@ def _tunable(strategy: str) -> Tunable:
 
 
 def road(request: JsonObject, seed: int) -> JsonObject:
-    """The changes for one road of a tuning's request: its seed, and with an uncertain car also the car's values."""
+    """Return the changes for one road of a tuning's request: its seed, and of an uncertain car its values."""
     return {"road.seed": seed} | (robustness.drawn(seed) if request.get("uncertain") else {})
 
 
 def longest_run(request: JsonObject) -> JsonObject:
-    """The changes that give the request's longest run: the longest horizon and the shortest sample time."""
+    """Return the changes that give the request's longest run: the longest horizon and the shortest sample time."""
     search, horizon = request["search"], _tunable(request["strategy"]).horizon
     longest = {horizon: int(search[horizon][1])} if horizon in search else {}
     shortest = {SAMPLE_TIME: search[SAMPLE_TIME][0]} if SAMPLE_TIME in search else {}
@@ -119,19 +119,19 @@ def longest_run(request: JsonObject) -> JsonObject:
 
 
 def weights_at(scenario: JsonObject, strategy: str, searched: Iterable[str]) -> Weights:
-    """The strategy's weights in a plain scenario; the travel weight, options and other values only where searched."""
+    """Return the strategy's weights in a plain scenario; travel weight, options and other values where searched."""
     triples = _tunable(strategy).triples
     others = [name for name in searched if name.rpartition(".")[0] not in triples]
     return {name: dotted.value(scenario, name) for name in [*triples, *others]}
 
 
 def paper_weights(strategy: str, searched: Iterable[str]) -> Weights:
-    """The paper's weights (Tables 3 and 6, section 4.2.2); what it lacks, as the travel weight, at its default."""
+    """Return the paper's weights (Tables 3 and 6, section 4.2.2); what it lacks (the travel weight) at its default."""
     return weights_at(_paper(), strategy, searched)
 
 
 def first_weights(scenario: JsonObject, strategy: str, searched: Iterable[str]) -> list[Weights]:
-    """The first points of every search: the paper's weights, and the scenario's where they differ."""
+    """Return the first points of every search: the paper's weights, and the scenario's where they differ."""
     papers, own = paper_weights(strategy, searched), weights_at(scenario, strategy, searched)
     return [papers] if own == papers else [papers, own]
 
@@ -158,7 +158,7 @@ def point_of(weights: Weights, search: Ranges, scenario: JsonObject) -> Point | 
 
 
 def weights_of(point: Point, search: Ranges, own: Weights) -> Weights:
-    """The strategy's weights at a point of the searched space, rounded; others are the scenario's."""
+    """Return the strategy's weights at a point of the searched space, rounded; others are the scenario's."""
     weights: Weights = {name: list(value) if isinstance(value, list) else value for name, value in own.items()}
     for name, value in point.items():
         rounded = value if isinstance(value, str | int) else _rounded(value, search[name])

@@ -71,7 +71,7 @@ class TuningSteps:
             TemporaryError: The service is full.
         """
         try:
-            await self._check_law(job.request)
+            await self._check_controller(job.request)
             if job.core_version != CORE_VERSION:
                 await self._begin_anew(job)
                 return
@@ -90,8 +90,8 @@ class TuningSteps:
         except ServiceError as error:
             raise JobFailedError(error.message) from error
 
-    async def _check_law(self, request: JsonObject) -> None:
-        """A controller of one's own is the one that the tuning began with, or it fails: two laws are not mixed."""
+    async def _check_controller(self, request: JsonObject) -> None:
+        """Check that a custom controller is the one that the tuning began with: two are not mixed."""
         if (source := request.get("source")) is not None:
             await self._own_files.refresh_if_changed()
             if custom_controllers.source(request["strategy"]) != source:
@@ -248,7 +248,7 @@ class TuningSteps:
 
 
 def first_progress(attempt: int) -> JsonObject:
-    """The progress of a tuning without trials: attempt, step, complete generations, feasible trials."""
+    """Return the progress of a tuning without trials: attempt, step, complete generations, feasible trials."""
     return {"step": "search", "attempt": attempt, "generation": 0, "feasible": 0, "batch": None}
 
 
@@ -257,17 +257,17 @@ def _waiting_for(job: StoredJob, step: Step, sweep: StoredJob) -> JsonObject:
 
 
 def _key(job: StoredJob, name: str) -> str:
-    """The sweep's idempotency key; its spaces keep it apart from every key that a request can send."""
+    """Return the sweep's idempotency key; its spaces keep it apart from every key that a request can send."""
     return f"tuning {job.id} {job.progress['attempt']} {name}"
 
 
 def _roads(job: StoredJob) -> list[int]:
-    """Every road of the tuning: the training roads, then the validation roads."""
+    """Return every road of the tuning: the training roads, then the validation roads."""
     return [*job.request["seeds"], *job.request["fresh_seeds"]]
 
 
 def _sets_of(job: StoredJob, sweep: StoredJob) -> list[Weights]:
-    """The sets of weights in a generation's sweep."""
+    """Return the sets of weights in a generation's sweep."""
     seeds = job.request["seeds"]
     of_road = road(job.request, seeds[0])
     points = (sweep.sweep or {})["list"][:: len(seeds)]
@@ -281,7 +281,7 @@ def _measure(
 
 
 def _quality(trials: Sequence[StoredTrial], objectives: int) -> JsonObject:
-    """The values of the best trials so far, for a generation's event."""
+    """Return the values of the best trials so far, for a generation's event."""
     best = [front.best(trials, index) for index in range(objectives)]
     return {
         "best": [None if trial is None or trial.values is None else trial.values[i] for i, trial in enumerate(best)],
