@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import NamedTuple
 
-NO_KEY = "-"  # of a run whose strategy is not there now: it can be tried again
+UNAVAILABLE_KEY = "-"  # of a run whose strategy is not there now: it can be tried again
 
 
 class JobRun(NamedTuple):

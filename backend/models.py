@@ -105,7 +105,7 @@ def _check_shown(name: str) -> str:
     return name if name in STRATEGIES or re.fullmatch(NAME_PATTERN, name) else _check_strategy(name)
 
 
-# Of what is stored: its law's file may have gone since.
+# Of what is stored: its controller's file may have gone since.
 StrategyId = Annotated[str, Field(pattern=STRATEGY_PATTERN)]
 # One of a run's: simulated, or a recording, which nothing else takes.
 ShownStrategy = Annotated[
@@ -209,7 +209,7 @@ Event = Annotated[
 
 
 class Source(Answer):
-    """The file of a controller of one's own."""
+    """The file of a custom controller."""
 
     file: str = Field(description="Its name, or that of a package's entry point")
     digest: str = Field(description="SHA-256 of it and of the files it names")
@@ -219,7 +219,7 @@ class DriveResult(Answer):
     """What a strategy's result has beside its metrics; of several roads, the first one's."""
 
     status: Literal["ok"]
-    source: Source | None = Field(description="What the law was when it was driven; null for Ridelab's own")
+    source: Source | None = Field(description="What the controller was when it was driven; null for Ridelab's own")
     core_version: str | None = Field(
         None, description="That computed it; only there where it is another one than the run's, see `unavailable`"
     )

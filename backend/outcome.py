@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from backend.json_types import JsonObject
 from sim_core.errors import RefusedError, RidelabError, TooExpensiveError
 
-SOURCE = b'{"source":'  # begins the JSON of a controller of one's own
+SOURCE = b'{"source":'  # begins the JSON of a custom controller
 OBJECTS = 1500  # what an outcome's own objects take, and a cache's entry [bytes]
 FAILED = "failed"  # a status
 # Kinds of failures. The first two follow from scenario and program, and are stored.

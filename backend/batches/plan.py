@@ -12,7 +12,7 @@ from backend import digest
 from backend.batches.points import Sweep, points
 from backend.cost.affordable import simulate
 from backend.cost.estimate import estimate
-from backend.job_run import NO_KEY, JobRun
+from backend.job_run import UNAVAILABLE_KEY, JobRun
 from backend.json_types import JsonObject
 from backend.scenario_at import NO_ROADS, contradiction, scenario_at
 from sim_core.controller_files import ControllerFileError
@@ -103,7 +103,7 @@ def with_keys(scenario: JsonObject, schema_version: int, runs: Sequence[JobRun])
         except ValidationError as error:
             keyed.append(run._replace(key="", reason=contradiction(error)))
         except RidelabError as error:
-            keyed.append(run._replace(key=NO_KEY, reason=error.message))
+            keyed.append(run._replace(key=UNAVAILABLE_KEY, reason=error.message))
     return keyed
 
 

@@ -24,9 +24,9 @@ from sim_core.controller_files import ControllerFileError, file_error, format_er
 from sim_core.errors import ForceError, RidelabError
 
 T = TypeVar("T")
-MEMORY = 4 * 1024**3  # of address space, so that a law that takes ever more is told so [bytes]
+MEMORY = 4 * 1024**3  # of address space, so that a controller that takes ever more is told so [bytes]
 STARTING = 30.0  # Python and the core may take to be imported [s]
-GRACE = 2.0  # beyond its limit: a law that catches everything does not end by itself [s]
+GRACE = 2.0  # beyond its limit: a controller that catches everything does not end by itself [s]
 SHORTEST = 1e-3  # that a timer is set to; 0 would switch it off [s]
 _MAIN = "import sys; from backend.custom_controllers.controller_process import main; main(sys.argv[1])"
 _PARENT_DEATH_SIGNAL = 1  # prctl(2)
@@ -37,7 +37,7 @@ class SlowFileError(ControllerFileError):
 
 
 class _OutOfTime(BaseException):
-    """Nothing that a law should catch."""
+    """Nothing that a controller should catch."""
 
 
 class ControllerProcess:

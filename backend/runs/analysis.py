@@ -57,7 +57,7 @@ class ControlAnalysis:
         Raises:
             NotFoundError: No such run.
             InvalidError: The run has no such strategy, or the place is not on its drive.
-            GoneError: Another core version or another law computed the run, or its road is gone.
+            GoneError: Another core version or another controller computed the run, or its road is gone.
         """
         stored = await self.runs.stored(run_id, client)
         drives = {item.strategy: item for item in stored.shown if recording_id(item.strategy) is None}

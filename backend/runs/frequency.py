@@ -26,7 +26,7 @@ Signal = Literal[
 
 
 class FrequencyRequest(StrategiesRequest):
-    """Whose responses; the strategies' laws of one driving stage."""
+    """Whose responses; the strategies' controllers in one driving stage."""
 
     frequencies: list[Frequency] | None = Field(
         None, min_length=1, max_length=2000, description="[Hz]; null is 200 from 0.3 to 30 Hz"

@@ -39,7 +39,7 @@ class ControllerMissingError(GoneError):
 
     def __init__(self) -> None:
         super().__init__(
-            "The file of a controller of one's own has changed or gone since this run: its numbers stay, and what has "
+            "The file of a custom controller has changed or gone since this run: its numbers stay, and what has "
             "to be driven again is gone. Post its scenario to run it with the controller that is there now."
         )
 

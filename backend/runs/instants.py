@@ -47,7 +47,7 @@ class ControllerLimit(Answer):
 
 
 class InstantAnswer(Answer):
-    """One control step; what the law has not is null."""
+    """One control step; what the controller has not is null."""
 
     strategy: str
     step: int = Field(description="Its number; the first ones are before x = 0")
