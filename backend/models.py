@@ -150,26 +150,6 @@ def check_baseline_runs(baseline: str | None, info: ValidationInfo) -> str | Non
     return baseline
 
 
-class LiveRequest(StrategiesRequest):
-    """A run while somebody drags: nothing is stored, the answer has time histories."""
-
-    baseline: Annotated[StrategyName | None, AfterValidator(check_baseline_runs)] = Field(
-        None,
-        description="What the changes of `comparison` refer to, one of the strategies; null is passive, or the first "
-        "strategy where passive does not run",
-    )
-    points: Points = DEFAULT_POINTS
-    signals: list[SignalName] | None = Field(None, description="Time and position always come; none is all.")
-    part: Literal["bump"] | None = Field(
-        None,
-        description="Samples of the bump and some road around it alone; null is the whole road.",
-    )
-    encoding: Literal["base64", "binary"] = Field(
-        "base64",
-        description="Of time histories: typed arrays in JSON, or float32 behind it (`application/octet-stream`)",
-    )
-
-
 def keys_of(names: Any, description: str) -> Any:
     """Return a mapping's field whose keys are these names."""
     return Field(description=description, json_schema_extra={"propertyNames": {"enum": list(names)}})

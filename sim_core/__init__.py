@@ -37,6 +37,7 @@ from sim_core.check_controller import check_controller  # the strategies use wha
 from sim_core.comparison.caution import Caution
 from sim_core.comparison.change import Change
 from sim_core.comparison.compare import Comparison, compare
+from sim_core.comparison.requirements import Requirement, RequirementResult
 from sim_core.comparison.verdict import Verdict
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
@@ -68,6 +69,8 @@ __all__ = [
     "PredictiveController",
     "Preview",
     "Report",
+    "Requirement",
+    "RequirementResult",
     "RidelabError",
     "Road",
     "RoadWeights",

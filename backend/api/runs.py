@@ -17,14 +17,23 @@ from backend.http.answers import (
     takes_gzip,
 )
 from backend.json_types import JsonObject
-from backend.outcome import Sampling
 from backend.requirements import Requirement, read
 from backend.runs.deviations import Deviations
 from backend.runs.figures import PANELS
 from backend.runs.frequency import FrequencyAnswer, FrequencyRequest
 from backend.runs.fuzzy import FuzzyAnswer, FuzzyRequest
 from backend.runs.instants import InstantAnswer
-from backend.runs.models import Bands, CreatedRoadsRun, CreatedRun, LiveRun, PairedChanges, RoadsRun, Run, RunRequest
+from backend.runs.models import (
+    Bands,
+    CreatedRoadsRun,
+    CreatedRun,
+    LiveRequest,
+    LiveRun,
+    PairedChanges,
+    RoadsRun,
+    Run,
+    RunRequest,
+)
 from backend.runs.solve.models import Solution, SolveRequest
 from sim_core.catalogue import SIGNALS
 
@@ -55,6 +64,7 @@ async def create_run(body: RunRequest, request: ApiRequest) -> Response:
         roads=body.roads,
         baseline=body.baseline,
         requirements=body.requirements,
+        against=body.against,
     )
     return json_answer(await work)
 
@@ -65,14 +75,10 @@ async def create_run(body: RunRequest, request: ApiRequest) -> Response:
     response_model=LiveRun,
     responses={200: {"content": {BINARY: {}}}},
 )
-async def live(body: models.LiveRequest, request: ApiRequest) -> Response:
-    """Figures and decimated time histories while somebody drags; nothing is stored."""
-    binary = body.encoding == "binary"
-    sampling = Sampling(body.points, body.part)
-    content = await request.services.runs.live(
-        body.scenario, body.strategies, sampling, body.signals, request.client_id, baseline=body.baseline, binary=binary
-    )
-    return content_answer(content, {}, BINARY if binary else MEDIA_TYPES["json"])
+async def live(body: LiveRequest, request: ApiRequest) -> Response:
+    """Metrics and decimated time histories while somebody drags; nothing is stored."""
+    content = await request.services.runs.live(body, request.client_id)
+    return content_answer(content, {}, BINARY if body.encoding == "binary" else MEDIA_TYPES["json"])
 
 
 @computing.post("/solve", operation_id="solve", response_model=Solution)
@@ -116,6 +122,14 @@ async def get_run(
         str | None,
         Query(description="Ids with commas: which strategies `comparison` is of, beside its baseline; omitted is all"),
     ] = None,
+    against: Annotated[
+        str | None,
+        Query(
+            description="Id of a run that the `changes_against` of `comparison` refer to; over several roads it has to "
+            "be of the same ones",
+            max_length=64,
+        ),
+    ] = None,
 ) -> Response:
     """A stored run; its numbers change only where results that are not stored are computed again."""
     work = request.services.runs.get(
@@ -124,6 +138,7 @@ async def get_run(
         requirements=_required(requirements),
         baseline=baseline,
         compared=_names("compare", compare),
+        against=against,
     )
     return revalidated(request, await work)
 

@@ -1,4 +1,4 @@
-"""Counts how a batch's runs keep its requirements, read row by row: a point's strategies lie side by side."""
+"""Count a batch's runs that satisfy its requirements, read row by row: a point's strategies lie side by side."""
 
 from collections import Counter
 from collections.abc import Sequence
@@ -7,8 +7,8 @@ import orjson
 
 from backend.batches.models import BatchRequirementResult, BatchRequirements, FailingRun
 from backend.job_run import JobRow
-from backend.requirements import LIMITS, Driven, Requirement, Result, baseline_of, excess, judged
 from backend.store import StoredJob
+from sim_core.comparison.requirements import LIMITS, Driven, Requirement, Result, baseline_of, judge_strategy
 
 ENDED = ("ok", "failed")
 COUNTS = ("pass", "fail", "not_computed", "unfinished")
@@ -20,7 +20,7 @@ class JudgedRuns:
     def __init__(self, batch: StoredJob) -> None:
         self._names: list[str] = batch.request["strategies"]
         self._baseline: str | None = batch.request.get("baseline")
-        self._requirements = [Requirement.model_validate(each) for each in batch.request.get("requirements", [])]
+        self._requirements = [Requirement(**each) for each in batch.request.get("requirements", [])]
         self._counts: dict[tuple[int, str], Counter[str]] = {
             (index, name): Counter(dict.fromkeys(COUNTS, 0))
             for index, each in enumerate(self._requirements)
@@ -54,7 +54,7 @@ class JudgedRuns:
                 if row.strategy not in driven or waits:
                     counts["unfinished"] += 1
                     continue
-                result = judged(requirement, row.strategy, driven, base)
+                result = judge_strategy(requirement, row.strategy, driven, base)
                 worst = "fail" if "fail" in (worst, result.result) else result.result
                 if result.value is None:
                     counts["not_computed"] += 1
@@ -64,7 +64,7 @@ class JudgedRuns:
                 if result.result == "fail":
                     run = FailingRun(run=row.position, value=result.value, at=orjson.loads(row.changes))
                     self._first.setdefault(key, run)
-                    if excess(requirement, run.value) > excess(requirement, self._worst.setdefault(key, run).value):
+                    if requirement.excess(run.value) > requirement.excess(self._worst.setdefault(key, run).value):
                         self._worst[key] = run
             self._runs.append(worst)
 

@@ -11,9 +11,10 @@ from backend.jobs.models import Label
 from backend.jobs.problem import JobProblem
 from backend.json_types import JsonObject
 from backend.models import Answer, RequestModel, SentScenario, StrategyName
-from backend.requirements import JudgedRequirement, Requirement, Requirements, Result
+from backend.requirements import JudgedRequirement, Requirement, Requirements
 from backend.store import StoredJob
 from backend.store.job import State
+from sim_core.comparison.requirements import Result
 from sim_core.scenario import Scenario, dotted
 
 

@@ -5,7 +5,7 @@ Over 50 roads they take 0.2 s: they are made in threads, beside the event loop.
 """
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import asdict, replace
+from dataclasses import asdict, dataclass, replace
 from hashlib import sha256
 from math import isfinite
 from threading import Lock
@@ -17,20 +17,41 @@ from backend.errors import InvalidError
 from backend.json_types import JsonObject
 from backend.means_over_roads import Changes, Numbers, OverRoads, means_and_changes, numbers, paired_changes
 from backend.outcome import Outcome
-from backend.requirements import Driven, Requirement, judge
+from backend.requirements import Requirement
 from backend.runs import series
 from backend.store import StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import PAPER_METRICS
 from sim_core.comparison.caution import Caution
 from sim_core.comparison.change import Change
-from sim_core.comparison.compare import Comparison, compare_summaries, default_baseline
+from sim_core.comparison.compare import Comparison, compare_summaries
 from sim_core.comparison.intervals import Interval
-from sim_core.comparison.rows import Row, changes_between, row_of
+from sim_core.comparison.requirements import Driven, baseline_of, judge
+from sim_core.comparison.requirements import Requirement as CoreRequirement
+from sim_core.comparison.rows import LOWER_IS_BETTER, Row, changes_by_key, row_of
 from sim_core.scenario import Scenario, characteristics
 from sim_core.strategies import find_strategy, label_of
 
 WRITTEN_FACTS = 128  # runs, and ways to compare them, whose facts are kept; at most 0.1 MB each
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LiveOutcomes:
+    """A run that is not stored, and what it is compared with.
+
+    Attributes:
+        scenario: What was driven.
+        outcomes: By strategy.
+        baseline: The strategy that changes refer to; None is passive, or the first.
+        requirements: Limits that the strategies have to satisfy.
+        against: The run of one road that `changes_against` refer to.
+    """
+
+    scenario: Scenario
+    outcomes: Mapping[str, Outcome]
+    baseline: str | None
+    requirements: Sequence[Requirement]
+    against: StoredRun | None
 
 
 def run_answer(
@@ -40,15 +61,20 @@ def run_answer(
     requirements: Sequence[Requirement] = (),
     baseline: str | None = None,
     compared: Collection[str] | None = None,
+    against: StoredRun | None = None,
 ) -> JsonObject:
     """Return the answer about a stored run, for orjson.
 
     Args:
         stored: The run, its scenario today's.
         cached: To the request that created it, by strategy whether nothing of it was computed for that one.
-        requirements: What its strategies are held to.
+        requirements: Limits that its strategies have to satisfy.
         baseline: The strategy that all changes refer to, those of requirements too; None is the run's own.
         compared: The strategies that `comparison` is of, beside its baseline; None is all.
+        against: The run that the comparison's `changes_against` refer to.
+
+    Raises:
+        InvalidError: They are of several roads, and that run is not of the same, or not of the same core version.
     """
     fields: dict[str, JsonObject] = {name: {} for name in stored.by_strategy}
     if cached is not None:
@@ -60,10 +86,8 @@ def run_answer(
         "id": stored.id,
         "core_version": stored.core_version,
         "scenario": stored.scenario,
-        **_written_facts(stored, baseline, compared),
+        **_written_facts(stored, baseline, compared, tuple(each.to_core() for each in requirements), against),
     }
-    if requirements:
-        head["requirement_results"] = _judged(stored, requirements, baseline)
     if stored.roads == 1:
         return head | {
             "strategies": {name: item.answer(**fields[name]) for name, (item,) in stored.by_strategy.items()}
@@ -81,50 +105,82 @@ def run_answer(
     }
 
 
-def _facts_key(stored: StoredRun, baseline: str | None, compared: Collection[str] | None) -> tuple[object, ...]:
+def _facts_key(
+    stored: StoredRun,
+    baseline: str | None,
+    compared: Collection[str] | None,
+    requirements: Sequence[CoreRequirement],
+    against: StoredRun | None,
+) -> tuple[object, ...]:
     """Return what facts depend on: a digest of a run and its comparison, and the controllers, which have labels."""
+    runs = [_content(run) for run in (stored, against) if run is not None]
+    selected = None if compared is None else sorted(compared)
+    content = orjson.dumps((runs, baseline, selected, requirements))
+    return (sha256(content).digest(), *map(find_strategy, stored.by_strategy))
+
+
+def _content(stored: StoredRun) -> tuple[object, ...]:
+    """Return what a run's facts depend on, for orjson."""
     results = [
         (name, item.status, item.core_version or stored.core_version, orjson.Fragment(item.json))
         for name, items in stored.by_strategy.items()
         for item in items
     ]
-    against = baseline or stored.baseline
-    selected = None if compared is None else sorted(compared)
-    content = orjson.dumps((stored.core_version, stored.scenario, stored.roads, against, selected, results))
-    return (sha256(content).digest(), *map(find_strategy, stored.by_strategy))
+    return stored.core_version, stored.scenario, stored.roads, stored.baseline, results
 
 
 @cachetools.cached(cachetools.LRUCache(WRITTEN_FACTS), _facts_key, Lock())
 def _written_facts(
-    stored: StoredRun, baseline: str | None, compared: Collection[str] | None
+    stored: StoredRun,
+    baseline: str | None,
+    compared: Collection[str] | None,
+    requirements: Sequence[CoreRequirement],
+    against: StoredRun | None,
 ) -> dict[str, orjson.Fragment]:
     """Return the facts of a stored run as JSON: to compare takes longer than all else of a stored run's answer."""
     scenario = Scenario.model_validate(stored.scenario)
-    comparison = comparison_of(stored, scenario, baseline, compared)
-    facts = {
+    comparison = comparison_of(stored, scenario, baseline, compared, requirements, against)
+    facts: JsonObject = {
         "characteristics": asdict(characteristics(scenario.vehicle)),
         "cautions": comparison.cautions,
         "comparison": comparison,
     }
+    if requirements:
+        facts["requirement_results"] = comparison.requirements
     return {name: orjson.Fragment(orjson.dumps(value)) for name, value in facts.items()}
 
 
 def comparison_of(
-    stored: StoredRun, scenario: Scenario, baseline: str | None, compared: Collection[str] | None = None
+    stored: StoredRun,
+    scenario: Scenario,
+    baseline: str | None,
+    compared: Collection[str] | None = None,
+    requirements: Sequence[CoreRequirement] = (),
+    against: StoredRun | None = None,
 ) -> Comparison:
-    """Return what the strategies that succeeded on every road mean beside each other."""
+    """Return what the strategies that succeeded on every road mean beside each other.
+
+    Raises:
+        InvalidError: They are of several roads, and `against` is not of the same, or not of the same core version.
+    """
     names = list(stored.by_strategy)
-    against = baseline or stored.baseline or default_baseline(names)
+    reference = baseline_of(names, baseline or stored.baseline)
     summaries = {
         item.strategy: [each.summary for each in stored.by_strategy[item.strategy]]
         for item in stored.shown
-        if compared is None or item.strategy == against or item.strategy in compared
+        if compared is None or item.strategy == reference or item.strategy in compared
     }
-    comparison = compare_summaries(summaries, against, scenario)
+    comparison = compare_summaries(summaries, reference, scenario)
     # Those had failed with the run's core version.
     others = [item for item in stored.shown if item.core_version not in (None, stored.core_version)]
     cautions = tuple(_other_version(item, stored) for item in others if item.strategy in summaries)
-    return replace(comparison, cautions=(*comparison.cautions, *cautions)) if cautions else comparison
+    changes = {} if against is None else metric_changes(stored, against)
+    return replace(
+        comparison,
+        cautions=(*comparison.cautions, *cautions),
+        requirements=judge(requirements, _driven_or_reason(stored.by_strategy), baseline or _named_baseline(stored)),
+        changes_against={name: change for name, change in changes.items() if name in summaries},
+    )
 
 
 def _other_version(item: Outcome, stored: StoredRun) -> Caution:
@@ -136,17 +192,18 @@ def _other_version(item: Outcome, stored: StoredRun) -> Caution:
     return Caution(kind="core_version", text=text, strategy=item.strategy)
 
 
-def _judged(stored: StoredRun, requirements: Sequence[Requirement], baseline: str | None) -> list[JsonObject]:
+def _driven_or_reason(by_strategy: Mapping[str, Sequence[Outcome]]) -> dict[str, Driven]:
+    """Return each strategy's summaries on every road, or why it has none."""
     driven: dict[str, Driven] = {}
-    for name, items in stored.by_strategy.items():
+    for name, items in by_strategy.items():
         failed = next((item for item in items if item.status != "ok"), None)
         driven[name] = [item.summary for item in items] if failed is None else failed.summary["reason"]
-    return [result.model_dump() for result in judge(requirements, driven, baseline or _named_baseline(stored))]
+    return driven
 
 
 def _named_baseline(stored: StoredRun) -> str | None:
-    """The run's own baseline where it is none that nobody named."""
-    return None if stored.baseline == default_baseline(list(stored.by_strategy)) else stored.baseline
+    """Return the run's own baseline where somebody named it."""
+    return None if stored.baseline == baseline_of(list(stored.by_strategy)) else stored.baseline
 
 
 def as_plain(answer: JsonObject) -> JsonObject:
@@ -155,27 +212,16 @@ def as_plain(answer: JsonObject) -> JsonObject:
     return plain
 
 
-def live_json(
-    scenario: Scenario, outcomes: Mapping[str, Outcome], signals: Sequence[str], baseline: str | None
-) -> bytes:
-    """Return a run that is not stored, with the time histories of these signals in base64.
-
-    Args:
-        scenario: What was driven.
-        outcomes: By strategy.
-        signals: Whose time histories are in it.
-        baseline: What the changes of `comparison` refer to; None is passive, or the first strategy.
-    """
+def live_json(live: LiveOutcomes, signals: Sequence[str]) -> bytes:
+    """Return a run that is not stored, with the time histories of these signals in base64."""
 
     def typed(values: series.SeriesArray) -> JsonObject:
         return {key: series.packed(values[series.ROWS[key]]) for key in signals}
 
-    return _live(scenario, outcomes, typed, baseline)
+    return _live(live, typed)
 
 
-def live_binary(
-    scenario: Scenario, outcomes: Mapping[str, Outcome], signals: Sequence[str], baseline: str | None
-) -> bytes:
+def live_binary(live: LiveOutcomes, signals: Sequence[str]) -> bytes:
     """Return the same in a third less: the length of its JSON (uint32), the JSON, all numbers as little-endian float32.
 
     JSON has `signals` and `samples` of each strategy that succeeded, whose numbers follow each other in its order. They
@@ -187,36 +233,43 @@ def live_binary(
         numbers.append(values[[series.ROWS[key] for key in signals]].astype("<f4", copy=False).tobytes())
         return {"signals": signals, "samples": values.shape[1]}
 
-    head = _live(scenario, outcomes, described, baseline)
+    head = _live(live, described)
     head += b" " * (-len(head) % 4)
     return b"".join((len(head).to_bytes(4, "little"), head, *numbers))
 
 
-def _live(
-    scenario: Scenario,
-    outcomes: Mapping[str, Outcome],
-    described: Callable[[series.SeriesArray], JsonObject],
-    baseline: str | None,
-) -> bytes:
+def _live(live: LiveOutcomes, described: Callable[[series.SeriesArray], JsonObject]) -> bytes:
     def entry(outcome: Outcome) -> orjson.Fragment:
         values = outcome.series
         return outcome.answer(cached=outcome.cached, **({} if values is None else {"series": described(values)}))
 
-    strategies = {name: entry(outcome) for name, outcome in outcomes.items()}
-    comparison = compare_summaries(
-        {name: [outcome.summary] for name, outcome in outcomes.items() if outcome.status == "ok"},
-        baseline or default_baseline(list(outcomes)),
-        scenario,
-        metrics=PAPER_METRICS,
-    )
+    strategies = {name: entry(outcome) for name, outcome in live.outcomes.items()}
+    comparison = _live_comparison(live)
     head = {
         "core_version": CORE_VERSION,
-        "scenario": scenario.model_dump(mode="json"),
-        "characteristics": asdict(characteristics(scenario.vehicle)),
+        "scenario": live.scenario.model_dump(mode="json"),
+        "characteristics": asdict(characteristics(live.scenario.vehicle)),
         "cautions": comparison.cautions,
         "comparison": comparison,
     }
     return orjson.dumps(head | {"strategies": strategies})
+
+
+def _live_comparison(live: LiveOutcomes) -> Comparison:
+    """Return the comparison of a run that is not stored, of the paper's eight metrics."""
+    by_strategy = {name: [outcome] for name, outcome in live.outcomes.items()}
+    comparison = compare_summaries(
+        {name: [item.summary] for name, (item,) in by_strategy.items() if item.status == "ok"},
+        baseline_of(list(by_strategy), live.baseline),
+        live.scenario,
+        metrics=PAPER_METRICS,
+    )
+    changes: dict[str, dict[str, Change]] = {}
+    if live.against is not None:
+        changes = changes_by_key(_rows(by_strategy, live.scenario, PAPER_METRICS), _stored_rows(live.against))
+    requirements = [each.to_core() for each in live.requirements]
+    results = judge(requirements, _driven_or_reason(by_strategy), live.baseline)
+    return replace(comparison, changes_against=changes, requirements=results)
 
 
 def changes_to_strategy(stored: StoredRun, baseline: str) -> JsonObject:
@@ -240,21 +293,23 @@ def metric_changes(stored: StoredRun, against: StoredRun) -> dict[str, dict[str,
     Raises:
         InvalidError: They are of several roads, and not of the same, or not of the same core version.
     """
-    if (stored.roads, against.roads) != (1, 1):
-        _check_same_roads(stored, against)
-    rows, others = _rows(stored), _rows(against)
-    return {name: changes_between(row, others[name]) for name, row in rows.items() if name in others}
+    check_same_roads(stored.roads, stored.scenario["road"]["seed"], stored.core_version, against)
+    return changes_by_key(_stored_rows(stored), _stored_rows(against))
 
 
-def _rows(stored: StoredRun) -> dict[str, Row]:
+def _stored_rows(stored: StoredRun) -> list[Row]:
+    return _rows(stored.by_strategy, Scenario.model_validate(stored.scenario))
+
+
+def _rows(
+    by_strategy: Mapping[str, Sequence[Outcome]], scenario: Scenario, metrics: Collection[str] = LOWER_IS_BETTER
+) -> list[Row]:
     """Return the row of each strategy that succeeded on every road."""
-    is_random = Scenario.model_validate(stored.scenario).is_random
-    return {
-        item.strategy: row_of(
-            item.strategy, [each.summary for each in stored.by_strategy[item.strategy]], is_random=is_random
-        )
-        for item in stored.shown
-    }
+    return [
+        row_of(name, [each.summary for each in items], is_random=scenario.is_random, metrics=metrics)
+        for name, items in by_strategy.items()
+        if all(each.status == "ok" for each in items)
+    ]
 
 
 def changes_to_run(stored: StoredRun, against: StoredRun) -> JsonObject:
@@ -263,19 +318,25 @@ def changes_to_run(stored: StoredRun, against: StoredRun) -> JsonObject:
     Raises:
         InvalidError: They are not of the same roads, or not of the same core version.
     """
-    _check_same_roads(stored, against)
+    check_same_roads(stored.roads, stored.scenario["road"]["seed"], stored.core_version, against)
+    _check_several(stored)
     changes = _plain_changes(paired_changes(_driven(stored), _driven(against)))
     return {"against": against.id, "baseline": None, "roads": stored.roads, "changes": changes}
 
 
-def _check_same_roads(stored: StoredRun, against: StoredRun) -> None:
-    seeds = [run.scenario["road"]["seed"] for run in (stored, against)]
-    if (against.roads, seeds[1]) != (stored.roads, seeds[0]):
-        message = f"Number of roads: {against.roads} from seed {seeds[1]}; of this run {stored.roads} from {seeds[0]}"
+def check_same_roads(roads: int, seed: int, core_version: str, against: StoredRun) -> None:
+    """Check that changes of so many roads from a seed on can refer to a run; of one road they can to any other one.
+
+    Raises:
+        InvalidError: They cannot, of the parameter `against`.
+    """
+    if (roads, against.roads) == (1, 1):
+        return
+    if (against.roads, other := against.scenario["road"]["seed"]) != (roads, seed):
+        message = f"Number of roads: {against.roads} from seed {other}; of this run {roads} from {seed}"
         raise InvalidError(message + ": changes are of the same roads", parameter="against")
-    _check_several(stored)
-    if against.core_version != stored.core_version:
-        message = f"Core {against.core_version} computed it, {stored.core_version} this run: request it again"
+    if against.core_version != core_version:
+        message = f"Core {against.core_version} computed it, {core_version} this run: request it again"
         raise InvalidError(message, parameter="against")
 
 

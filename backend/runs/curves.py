@@ -15,7 +15,7 @@ from backend.runs.deviations import Deviations
 from backend.runs.histories import Histories
 from backend.runs.service import Runs, ordered
 from sim_core.catalogue import SIGNALS
-from sim_core.comparison.compare import default_baseline
+from sim_core.comparison.requirements import baseline_of
 
 
 @dataclass(eq=False, kw_only=True)
@@ -123,7 +123,7 @@ class RunCurves:
             InvalidError: There is no curve of the baseline.
         """
         stored = await self.runs.stored(run_id, client)
-        baseline = baseline or default_baseline(list(stored.by_strategy))
+        baseline = baseline_of(list(stored.by_strategy), baseline)
         outcomes = await self.histories.outcomes(stored, client, deviations.POINTS)
         series = {name: outcome.series for name, outcome in outcomes.items() if outcome.series is not None}
         if baseline not in series:

@@ -1,11 +1,12 @@
 """The shapes of a run's request and answers, also over several roads; beside `backend.models`."""
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, ConfigDict, Field, ValidationInfo, create_model, field_validator
 from pydantic_core import PydanticCustomError
 
 from backend.models import (
+    DEFAULT_POINTS,
     Answer,
     CachedFailure,
     CachedResult,
@@ -13,11 +14,15 @@ from backend.models import (
     CharacteristicsAnswer,
     DriveResult,
     Histories,
+    Points,
     RequestModel,
     RoadCount,
     SentScenario,
     ShownStrategy,
+    SignalName,
+    StrategiesRequest,
     StrategyFailure,
+    StrategyName,
     StrategyResult,
     TypedArray,
     WithId,
@@ -29,6 +34,15 @@ from backend.requirements import RequirementResult, Requirements
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, PAPER_METRICS, SIGNALS, WINDOWS
 from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import recording_id
+
+Against = Annotated[
+    str | None,
+    Field(
+        max_length=64,
+        description="Id of a run that the `changes_against` of `comparison` refer to, such as the state before an "
+        "edit; over several roads it has to be of the same ones",
+    ),
+]
 
 
 class ChangeAnswer(Answer):
@@ -66,6 +80,13 @@ class ComparisonAnswer(Answer):
     cautions: list[CautionAnswer] = Field(
         description="Warnings about values outside a car's usual range and about results that are not fully comparable"
     )
+    changes_against: dict[str, Annotated[dict[str, ChangeAnswer], Field(description="By metric, by its flat name")]] = (
+        by_strategy("Against the same strategy of the run `against`, of those that both have; empty without one")
+    )
+    requirements: list[RequirementResult] = Field(
+        description="The results under `requirements`, in their order, of all strategies of the run; as "
+        "`requirement_results`, and empty without"
+    )
 
 
 class RunRequest(RequestModel):
@@ -88,6 +109,29 @@ class RunRequest(RequestModel):
         return roads
 
     requirements: Requirements = Field([])
+    against: Against = None
+
+
+class LiveRequest(StrategiesRequest):
+    """A run while somebody drags: nothing is stored, the answer has time histories."""
+
+    baseline: Annotated[StrategyName | None, AfterValidator(check_baseline_runs)] = Field(
+        None,
+        description="What the changes of `comparison` refer to, one of the strategies; null is passive, or the first "
+        "strategy where passive does not run",
+    )
+    requirements: Requirements = Field([])
+    against: Against = None
+    points: Points = DEFAULT_POINTS
+    signals: list[SignalName] | None = Field(None, description="Time and position always come; none is all.")
+    part: Literal["bump"] | None = Field(
+        None,
+        description="Samples of the bump and some road around it alone; null is the whole road.",
+    )
+    encoding: Literal["base64", "binary"] = Field(
+        "base64",
+        description="Of time histories: typed arrays in JSON, or float32 behind it (`application/octet-stream`)",
+    )
 
 
 class RunBase(Answer):

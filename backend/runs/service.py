@@ -23,18 +23,21 @@ from backend.recordings.service import Recordings
 from backend.requirements import Requirement
 from backend.roads.service import MeasuredRoads
 from backend.runs.answers import (
+    LiveOutcomes,
     changes_to_run,
     changes_to_strategy,
+    check_same_roads,
     live_binary,
     live_json,
     run_answer,
 )
 from backend.runs.histories import ControllerMissingError
+from backend.runs.models import LiveRequest
 from backend.runs.results import Results
 from backend.runs.series import ordered_signals
 from backend.store import Store, StoredRun
 from sim_core import __version__ as CORE_VERSION
-from sim_core.comparison.compare import default_baseline
+from sim_core.comparison.requirements import baseline_of
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.recorded import recording_id
 from sim_core.scenario.versions import NewerScenarioError, restored
@@ -71,8 +74,9 @@ class Runs:
         roads: int,
         baseline: str | None,
         requirements: Sequence[Requirement] = (),
+        against: str | None = None,
     ) -> JsonObject:
-        """The run of that scenario, computed where it was not stored.
+        """Return the run of that scenario, computed where it was not stored.
 
         Args:
             scenario: What to drive, on the first road.
@@ -81,10 +85,15 @@ class Runs:
             roads: How many roads; their seeds follow the scenario's.
             baseline: Which strategy the changes over several roads refer to; None is passive, or the first where
                 passive does not run.
-            requirements: What the strategies are held to.
+            requirements: Limits that the strategies have to satisfy.
+            against: The run that the comparison's `changes_against` refer to.
+
+        Raises:
+            InvalidError: There is no such run as `against`, or it is of other roads.
         """
+        other = await self._named_reference(against, client, roads=roads, seed=scenario.road.seed)
         run, cached = await self.get_or_compute(scenario, strategies, client, roads=roads, baseline=baseline)
-        answer = partial(run_answer, run, cached=cached, requirements=requirements, baseline=baseline)
+        answer = partial(run_answer, run, cached=cached, requirements=requirements, baseline=baseline, against=other)
         return await asyncio.to_thread(answer)
 
     async def get_or_compute(
@@ -94,7 +103,7 @@ class Runs:
         names = ordered(strategies)
         if scenario.road.follows_profile:
             scenario = await self.roads.on(scenario)
-        against = None if roads == 1 else baseline or default_baseline(names)
+        against = None if roads == 1 else baseline_of(names, baseline)
         identity = digest.plain(scenario.identity())
         run_id = digest.run_id(scenario, names, roads, against, identity)
         stored = await self.store.read(self.store.runs.load, run_id)
@@ -130,24 +139,30 @@ class Runs:
         requirements: Sequence[Requirement] = (),
         baseline: str | None = None,
         compared: Sequence[str] | None = None,
+        against: str | None = None,
     ) -> JsonObject:
         """Return the stored run, its strategies compared and held to requirements.
 
         Args:
             run_id: The run.
             client: Who asks.
-            requirements: What its strategies are held to.
+            requirements: Limits that its strategies have to satisfy.
             baseline: The strategy that changes refer to; None is the run's own, or passive, or the first.
             compared: The strategies that are compared beside it; None is all.
+            against: The run that the comparison's `changes_against` refer to.
 
         Raises:
             NotFoundError: There is none.
-            InvalidError: It has no such strategy as `baseline` or one of `compared`.
+            InvalidError: It has no such strategy as `baseline` or one of `compared`; or there is no such run as
+                `against`, or it is of other roads.
         """
         stored = await self.stored(run_id, client)
         check_has(stored, "baseline", [] if baseline is None else [baseline])
         check_has(stored, "compare", compared or ())
-        answer = partial(run_answer, stored, baseline=baseline, requirements=requirements, compared=compared)
+        other = None if against is None else await self.reference(against, client)
+        answer = partial(
+            run_answer, stored, baseline=baseline, requirements=requirements, compared=compared, against=other
+        )
         return await asyncio.to_thread(answer)
 
     async def changes(self, run_id: str, client: str, *, against: str | None, baseline: str | None) -> JsonObject:
@@ -166,26 +181,29 @@ class Runs:
             "Name either a run, `against`, or one of this run's strategies, `baseline`", parameter="against"
         )
 
-    async def live(
-        self,
-        scenario: Scenario,
-        strategies: Iterable[str],
-        sampling: Sampling,
-        signals: Sequence[str] | None,
-        client: str,
-        *,
-        baseline: str | None,
-        binary: bool,
-    ) -> bytes:
-        """Return metrics and decimated time histories of that scenario, as JSON or `binary`; nothing is stored."""
-        names = ordered(strategies)
+    async def live(self, request: LiveRequest, client: str) -> bytes:
+        """Return metrics and decimated time histories of a scenario, as JSON or binary; nothing is stored.
+
+        Raises:
+            InvalidError: There is no such run as `against`, or it is of other roads.
+        """
+        scenario, names = request.scenario, ordered(request.strategies)
+        other = await self._named_reference(request.against, client, roads=1, seed=scenario.road.seed)
         if scenario.road.follows_profile:
             scenario = await self.roads.on(scenario)
         costs = {name: estimate(scenario, name) for name in names}
         self.gate.check_cost(sum(costs.values()))
+        sampling = Sampling(request.points, request.part)
         (outcomes,) = await self.results.get([scenario], names, client, sampling=sampling, costs=costs)
-        render = live_binary if binary else live_json
-        return await asyncio.to_thread(render, scenario, outcomes, ordered_signals(signals), baseline)
+        live = LiveOutcomes(
+            scenario=scenario,
+            outcomes=outcomes,
+            baseline=request.baseline,
+            requirements=request.requirements,
+            against=other,
+        )
+        render = live_binary if request.encoding == "binary" else live_json
+        return await asyncio.to_thread(render, live, ordered_signals(request.signals))
 
     async def stored(self, run_id: str, client: str) -> StoredRun:
         """The run; what is missing of it, removed or failed for a reason that may have passed, is computed again.
@@ -201,7 +219,7 @@ class Runs:
         return await self._computed_again(stored, client) if stored.expired else stored
 
     async def reference(self, run_id: str, client: str) -> StoredRun:
-        """The run that another one's changes refer to, its parameter `against`.
+        """Return the run that another one's changes refer to, its parameter `against`.
 
         Raises:
             InvalidError: There is none.
@@ -210,6 +228,21 @@ class Runs:
             return await self.stored(run_id, client)
         except NotFoundError as error:
             raise InvalidError(error.message, parameter="against") from None
+
+    async def _named_reference(self, run_id: str | None, client: str, *, roads: int, seed: int) -> StoredRun | None:
+        """Return the run that a request's body names as `against`, before anything is computed; None where it does not.
+
+        Raises:
+            InvalidError: There is none, or it is not of so many roads from that seed on.
+        """
+        if run_id is None:
+            return None
+        try:
+            run = await self.reference(run_id, client)
+            check_same_roads(roads, seed, CORE_VERSION, run)
+        except InvalidError as error:
+            raise InvalidError(error.message, pointer="/against") from None
+        return run
 
     async def load(self, run_id: str) -> StoredRun | None:
         """Return the run as it is stored, its scenario today's.

@@ -2,17 +2,20 @@
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from sim_core.comparison.caution import Caution
 from sim_core.comparison.change import Change
-from sim_core.comparison.rows import LOWER_IS_BETTER, Row, changes_between, labels_of, row_of
+from sim_core.comparison.html import comparison_html
+from sim_core.comparison.requirements import Requirement, RequirementResult, baseline_of, judge
+from sim_core.comparison.rows import LOWER_IS_BETTER, Row, changes_between, changes_by_key, labels_of, row_of
 from sim_core.comparison.vehicle_cautions import scenario_cautions
 from sim_core.comparison.verdict import Verdict, begin_sentence, verdict_on
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
+from sim_core.strategies import label_of
 
 MOST_FIELDS = 3  # that one sentence names
 _TUNED = "fuzzy", "mpc", "lqr", "hook", "own"  # what belongs to a strategy: to compare two of them is no fault
@@ -28,6 +31,9 @@ class Comparison:
             and without metrics that either of both does not have.
         verdict: Which strategy is best, in words and metric by metric.
         cautions: Warnings about values outside a car's usual range, and about results of different roads or scenarios.
+        changes_against: Strategy -> metric -> its change against the same strategy's in another run, such as the state
+            before an edit; of strategies and metrics that both runs have. Empty where there is no other run.
+        requirements: The result of each strategy under each requirement.
 
     Example:
         >>> from sim_core import Scenario, compare, simulate
@@ -40,10 +46,24 @@ class Comparison:
     changes: Mapping[str, Mapping[str, Change]]
     verdict: Verdict
     cautions: tuple[Caution, ...]
+    changes_against: Mapping[str, Mapping[str, Change]] = field(default_factory=dict)
+    requirements: tuple[RequirementResult, ...] = ()
+
+    def _repr_html_(self) -> str:
+        """Return the comparison as a notebook shows it: the verdict, changes of the paper's metrics, and cautions."""
+        tables = {f"Change against {label_of(self.baseline)}": self.changes}
+        tables["Change against the other run"] = self.changes_against
+        return comparison_html(self.verdict.text, tables, self.requirements, [each.text for each in self.cautions])
+
+
+Results = Mapping[str, StrategyResult | Sequence[StrategyResult]]
 
 
 def compare(
-    results: Mapping[str, StrategyResult | Sequence[StrategyResult]], baseline: str | None = None
+    results: Results,
+    baseline: str | None = None,
+    requirements: Sequence[Requirement] = (),
+    against: Results | None = None,
 ) -> Comparison:
     """Return the change of every metric against a baseline, whether it is more than random variation, and who is best.
 
@@ -60,9 +80,13 @@ def compare(
             what one road resolves go by the strategy of the result, whatever its key. Other roads than the baseline's
             are cautioned (`other_road`), other vehicles, speeds or sensors too (`other_scenario`).
         baseline: The strategy that changes refer to; None is passive, or the first one where passive is not there.
+        requirements: Limits that the strategies have to satisfy.
+        against: The same of another run. Where both are of one road, it may be another one; over several roads, seeds
+            have to be the same, and changes are paired by road.
 
     Raises:
-        RidelabError: There are no results, the baseline is not one of them, or they are not of as many roads.
+        RidelabError: There are no results, the baseline is not one of them, they are not of as many roads, or those
+            of `against` are not of the same ones.
 
     Example:
         >>> from sim_core import Scenario, compare, simulate
@@ -78,17 +102,52 @@ def compare(
         raise RidelabError("There is nothing to compare: give at least one result")
     if baseline is not None and baseline not in results:
         raise RidelabError(f"The baseline is one of the results, {', '.join(results)}: {baseline} is none of them")
+    by_road = _by_road(results)
+    rows = _rows_of(by_road)
+    cautions = [
+        caution for each in by_road.values() for result in each for caution in scenario_cautions(result.scenario)
+    ]
+    reference = baseline_of(list(results), baseline)
+    comparison = _compare(rows, reference, [*cautions, *_differences(rows, by_road, reference)])
+    summaries = {name: [result.summary() for result in each] for name, each in by_road.items()}
+    return replace(
+        comparison,
+        requirements=judge(requirements, summaries, baseline),
+        changes_against={} if against is None else _changes_against(by_road, rows, _by_road(against)),
+    )
+
+
+def _by_road(results: Results) -> Mapping[str, Sequence[StrategyResult]]:
+    """Return each strategy's results on every road.
+
+    Raises:
+        RidelabError: They are not of as many roads.
+    """
     by_road = {name: [each] if isinstance(each, StrategyResult) else list(each) for name, each in results.items()}
     counts = {len(each) for each in by_road.values()}
     if len(counts) != 1 or 0 in counts:
         listed = ", ".join(f"{len(each)} of {name}" for name, each in by_road.items())
         raise RidelabError(f"Every strategy needs a result on each of the same roads; there are {listed}")
-    rows = _rows_of(by_road)
-    reference = baseline or default_baseline(list(results))
-    cautions = [
-        caution for each in by_road.values() for result in each for caution in scenario_cautions(result.scenario)
-    ]
-    return _compare(rows, reference, [*cautions, *_differences(rows, by_road, reference)])
+    return by_road
+
+
+def _changes_against(
+    by_road: Mapping[str, Sequence[StrategyResult]],
+    rows: Sequence[Row],
+    others: Mapping[str, Sequence[StrategyResult]],
+) -> dict[str, dict[str, Change]]:
+    """Return the changes against the same strategies of another run.
+
+    Raises:
+        RidelabError: Not both are of one road, and they are not of the same roads.
+    """
+    for name in by_road.keys() & others.keys():
+        seeds, wanted = ([result.scenario.road.seed for result in each[name]] for each in (others, by_road))
+        if seeds != wanted and not len(seeds) == len(wanted) == 1:
+            raise RidelabError(
+                f"Changes are of the same roads: those of {name} have the seeds {wanted}, against {seeds}"
+            )
+    return changes_by_key(rows, _rows_of(others))
 
 
 def _rows_of(by_road: Mapping[str, Sequence[StrategyResult]]) -> list[Row]:
@@ -178,14 +237,3 @@ def _compare(rows: Sequence[Row], baseline: str, cautions: Iterable[Caution]) ->
     changes = {} if base is None else {row.key: changes_between(row, base) for row in rows if row is not base}
     unique = tuple(dict.fromkeys(cautions))
     return Comparison(baseline=baseline, changes=changes, verdict=verdict_on(rows, base), cautions=unique)
-
-
-def default_baseline(strategies: Sequence[str]) -> str:
-    """Return the baseline where none is named: passive, or the first strategy where passive is not there.
-
-    Raises:
-        RidelabError: There are none.
-    """
-    if not strategies:
-        raise RidelabError("There is no strategy to compare with")
-    return "passive" if "passive" in strategies else strategies[0]

@@ -124,6 +124,12 @@ def changes_between(row: Row, baseline: Row, metrics: Iterable[str] = LOWER_IS_B
     }
 
 
+def changes_by_key(rows: Iterable[Row], others: Iterable[Row]) -> dict[str, dict[str, Change]]:
+    """Return by key the changes of rows against those of the same key of another run; of keys that both have."""
+    references = {row.key: row for row in others}
+    return {row.key: changes_between(row, references[row.key]) for row in rows if row.key in references}
+
+
 def _table(row: Row, metrics: Sequence[str]) -> FloatArray:
     """Return the values as columns of metrics (roads, metrics) [SI units]."""
     return np.array([row.values[metric] for metric in metrics], dtype=np.float64).T

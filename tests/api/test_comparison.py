@@ -5,8 +5,9 @@ from dataclasses import asdict
 from typing import Any
 
 import httpx
+import pytest
 
-from sim_core import Comparison, Scenario, compare, simulate
+from sim_core import Comparison, Requirement, Scenario, compare, simulate
 from sim_core.catalogue import PAPER_METRICS
 from tests.api.conftest import Service
 from tests.api.test_recordings import SCENARIO, SENT, recorded, send
@@ -91,3 +92,60 @@ def test_a_baseline_that_failed_stays_the_baseline(service: Service, lqr_fails: 
     assert set(comparison["verdict"]["best"].values()) == {"lv"}
     alone = service.run(["lqr"], {"road": {"length": 131.6, "seed": lqr_fails}}).json()["comparison"]
     assert alone["verdict"] == {"text": "There is no result to compare.", "best": {}, "mixed": False}
+
+
+def test_runs_and_live_are_compared_with_another_run_and_held_to_requirements(
+    service: Service, run: dict[str, Any]
+) -> None:
+    """Word for word the core's; a baseline and a strategy that are hidden change no number."""
+    edited = {**run["scenario"], "road": {**run["scenario"]["road"], "bump": {"height": 0.08}}}
+    scenario, before = Scenario.model_validate(edited), Scenario.model_validate(run["scenario"])
+    limits: list[dict[str, Any]] = [{"metric": PEAK, "max": 1.2}, {"metric": PEAK, "max_change": -80}]
+    asked = {"against": run["id"], "requirements": limits}
+    expected = plain(
+        compare(
+            {name: simulate(scenario, name) for name in NAMES},
+            requirements=[Requirement(**each) for each in limits],
+            against={name: simulate(before, name) for name in NAMES},
+        )
+    )
+    posted = service.run(NAMES, edited, **asked).raise_for_status().json()
+    assert posted["comparison"] == expected
+    assert {each["result"] for each in expected["requirements"]} == {"pass", "fail"}
+    parameters = {"against": run["id"], "requirements": json.dumps(limits)}
+    got = get(service, posted, **parameters).raise_for_status().json()
+    assert (got["comparison"], got["requirement_results"]) == (expected, expected["requirements"])
+    assert compared(service, posted)["changes_against"] == {}, "nothing of it is kept"
+    fewer = compared(service, posted, **parameters, compare="lqr")
+    assert fewer["changes_against"]["lqr"] == expected["changes_against"]["lqr"]
+    assert (list(fewer["changes_against"]), fewer["requirements"]) == (["lqr", "passive"], expected["requirements"])
+    live = service.live(NAMES, edited, **asked).raise_for_status().json()["comparison"]
+    assert live["requirements"] == expected["requirements"]
+    for name, changes in live["changes_against"].items():
+        assert changes == {key: expected["changes_against"][name][key] for key in PAPER_METRICS}
+
+
+def test_over_several_roads_changes_against_are_those_of_changes(service: Service, road: dict[str, Any]) -> None:
+    runs = [
+        service.run(["lqr", "passive"], {"road": {**road, "length": length}}, roads=2).json() for length in (119, 120)
+    ]
+    paired = service.get(f"/api/v1/runs/{runs[1]['id']}/changes", params={"against": runs[0]["id"]}).json()["changes"]
+    interval = paired["lqr"]["rough_road"]["body_acceleration"]["rms"]
+    change = compared(service, runs[1], against=runs[0]["id"])["changes_against"]["lqr"][
+        "rough_road.body_acceleration.rms"
+    ]
+    assert [change["change"], change["low"], change["high"]] == [interval[key] for key in ("mean", "low", "high")]
+
+
+@pytest.mark.parametrize("roads", [1, 2])
+def test_a_run_that_nothing_can_refer_to_is_refused_at_its_field(
+    service: Service, run: dict[str, Any], road: dict[str, Any], roads: int
+) -> None:
+    other = service.run(["lqr"], {"road": {**road, "seed": 77}}, roads=3).json()["id"]
+    for against in ("no-such-run", other):
+        posted = service.run(["lqr"], {"road": road}, roads=roads, against=against)
+        live = service.live(["lqr"], {"road": road}, against=against)
+        for answer in (posted, live):
+            assert (answer.status_code, answer.json()["errors"][0]["pointer"]) == (422, "/against")
+        answer = get(service, run, against=against)
+        assert (answer.status_code, answer.json()["errors"][0]["parameter"]) == (422, "against")

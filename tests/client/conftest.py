@@ -19,7 +19,8 @@ from ridelab import Ridelab
 from ridelab.cli.service import Services
 from sim_core import Scenario, simulate
 from sim_core import __version__ as CORE_VERSION
-from sim_core.comparison.compare import compare_summaries, default_baseline
+from sim_core.comparison.compare import compare_summaries
+from sim_core.comparison.requirements import baseline_of
 from sim_core.comparison.vehicle_cautions import vehicle_facts
 from tests.client.cli import Cli
 from tests.servers import loops
@@ -105,7 +106,7 @@ def prepared(application: FastAPI, outcomes: dict[str, dict[str, Any]]) -> Prepa
         sent = Scenario.model_validate(body.get("scenario", {}))
         asked = [name for name in outcomes if name in body["strategies"]]
         strategies = {name: outcomes[name] for name in asked}
-        comparison = compare_summaries({name: [strategies[name]] for name in asked}, default_baseline(asked), sent)
+        comparison = compare_summaries({name: [strategies[name]] for name in asked}, baseline_of(asked), sent)
         facts = {**vehicle_facts(sent.vehicle), "comparison": json.loads(json.dumps(asdict(comparison)))}
         scenario = {"scenario": sent.model_dump(mode="json"), **facts}
         return {"id": RUN, "core_version": CORE_VERSION, **scenario, "strategies": strategies}

@@ -1,13 +1,15 @@
 """`--require`: what is sent for what is typed, the exit codes, and the file for a CI system."""
 
 import json
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
 import pytest
 
-from backend.requirements import Requirement, judge
+from sim_core import Requirement
+from sim_core.comparison.requirements import judge
 from tests.client.cli import Cli
 from tests.client.conftest import Prepared
 
@@ -20,12 +22,12 @@ def judged(prepared: Prepared, outcomes: dict[str, dict[str, Any]]) -> None:
     run: Any = prepared.answers["POST /runs"]
 
     def answer(body: Any) -> dict[str, Any]:
-        requirements = [Requirement.model_validate(each) for each in body.get("requirements", ())]
+        requirements = [Requirement(**each) for each in body.get("requirements", ())]
         higher = json.loads(json.dumps(outcomes))
         higher["lv"]["metrics"]["bump"]["body_acceleration"]["peak"] *= 1.1
         roads = [outcomes, higher][: body["roads"]]
         driven = {name: [road[name] for road in roads] for name in body["strategies"]}
-        results = [each.model_dump() for each in judge(requirements, driven, body["baseline"])]
+        results = [asdict(each) for each in judge(requirements, driven, body["baseline"])]
         return {**run(body), "requirement_results": results}
 
     prepared.answers["POST /runs"] = answer

@@ -15,7 +15,7 @@ from backend.runs.reports import run as run_report
 from backend.runs.reports.page import Report, in_thread
 from backend.runs.results import Outcomes
 from backend.runs.service import Runs, check_has
-from sim_core.comparison.compare import default_baseline
+from sim_core.comparison.requirements import baseline_of
 from sim_core.scenario import Scenario
 
 
@@ -62,7 +62,7 @@ class RunReports:
             outcomes = await self.histories.outcomes(stored, client)
         except GoneError as error:
             gone = error.message
-        base = baseline or stored.baseline or default_baseline(names)
+        base = baseline_of(names, baseline or stored.baseline)
         judged = partial(run_answer, stored, requirements=requirements, baseline=baseline)
         answer = await asyncio.to_thread(judged)
         if against is None:

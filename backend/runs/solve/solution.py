@@ -1,12 +1,12 @@
 """The answer from the values tried: the largest that keeps the limit, and warnings in plain words."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from math import inf, isfinite
 
 from backend.errors import InvalidError, NoSolutionError, ServiceError
 from backend.json_types import Summary
-from backend.requirements import RequirementResult, judged, used
+from backend.requirements import RequirementResult
 from backend.runs.models import Interval
 from backend.runs.solve import limit_search
 from backend.runs.solve.models import Solution, SolveRequest, TriedValue
@@ -14,6 +14,7 @@ from backend.scenario_at import scenario_at
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import METRICS
 from sim_core.comparison.intervals import mean_with_interval
+from sim_core.comparison.requirements import judge_strategy, share_used
 from sim_core.comparison.variation import one_road_resolution, variation_of_one_road
 from sim_core.scenario import Scenario, dotted
 from sim_core.strategies import reads, strategy_named
@@ -33,7 +34,7 @@ class Tried:
         interval: The metric's mean and interval over several roads; None on one, and of requirements.
         reason: Why there is no bound.
         undefined: The car was driven, and the strategy has no such metric.
-        results: How the requirements are kept.
+        results: Whether the requirements are satisfied.
     """
 
     run_id: str | None = None
@@ -60,15 +61,16 @@ def of_metric(request: SolveRequest, run_id: str, driven: Mapping[str, Sequence[
 
 def of_requirements(request: SolveRequest, run_id: str, driven: Mapping[str, Sequence[Summary]]) -> Tried:
     """Return the outcome of a run that is held to requirements: how far it uses their limits."""
-    results = [judged(each, request.strategy, driven, request.against) for each in request.requirements]
+    requirements = [each.to_core() for each in request.requirements]
+    results = [judge_strategy(each, request.strategy, driven, request.against) for each in requirements]
     own, base = driven[request.strategy], driven[request.driven[-1]]
     reason = next((f"{each.metric}: {each.reason}" for each in results if each.reason is not None), None)
     return Tried(
         run_id=run_id,
-        bound=max(used(each, own, base) for each in request.requirements),
+        bound=max(share_used(each, own, base) for each in requirements),
         reason=reason,
         undefined=reason is not None,
-        results=tuple(results),
+        results=tuple(RequirementResult(**asdict(each)) for each in results),
     )
 
 

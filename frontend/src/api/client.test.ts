@@ -19,7 +19,14 @@ test("a run over several roads reads as its means, with the intervals beside", (
     id: "x",
     core_version: "1",
     cautions: [],
-    comparison: { baseline: "passive", changes: {}, verdict: { text: "", best: {}, mixed: false }, cautions: [] },
+    comparison: {
+      baseline: "passive",
+      changes: {},
+      changes_against: {},
+      verdict: { text: "", best: {}, mixed: false },
+      cautions: [],
+      requirements: [],
+    },
     characteristics: {
       static_sag: { front: 0, rear: 0 },
       natural_frequencies: { front_body: 1, rear_body: 1, front_wheel: 10, rear_wheel: 10 },

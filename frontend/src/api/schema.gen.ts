@@ -583,6 +583,12 @@ export interface components {
                     readonly [key: string]: components["schemas"]["ChangeAnswer"];
                 };
             };
+            readonly changes_against: {
+                readonly [key: string]: {
+                    readonly [key: string]: components["schemas"]["ChangeAnswer"];
+                };
+            };
+            readonly requirements: readonly components["schemas"]["RequirementResult"][];
             readonly verdict: components["schemas"]["VerdictAnswer"];
         };
         readonly Compilers: {
@@ -1044,11 +1050,13 @@ export interface components {
             ] | null;
         };
         readonly LiveRequest: {
+            readonly against?: string | null;
             readonly baseline?: string | null;
             /** @enum {string} */
             readonly encoding?: "base64" | "binary";
             readonly part?: "bump" | null;
             readonly points?: number;
+            readonly requirements?: readonly components["schemas"]["Requirement"][];
             readonly scenario?: JsonObject;
             readonly signals?: readonly string[] | null;
             readonly strategies: readonly string[];
@@ -1436,6 +1444,7 @@ export interface components {
             };
         };
         readonly RunRequest: {
+            readonly against?: string | null;
             readonly baseline?: string | null;
             readonly requirements?: readonly components["schemas"]["Requirement"][];
             readonly roads?: number;
@@ -2792,6 +2801,7 @@ export interface operations {
     readonly getRun: {
         readonly parameters: {
             readonly query?: {
+                readonly against?: string | null;
                 readonly baseline?: string | null;
                 readonly compare?: string | null;
                 readonly requirements?: string | null;

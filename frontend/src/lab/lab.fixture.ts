@@ -23,7 +23,8 @@ export const idOf = (scenario: Scenario, ids: readonly StrategyId[], roads = 1) 
 function runOf(scenario: Scenario, ids: readonly StrategyId[], roads = 1): Run {
   const over = roads > 1 ? { roads, baseline: "passive", changes: {}, estimates: {} } : null;
   const verdict = { text: "", best: {}, mixed: false };
-  const comparison = { baseline: "passive", changes: {}, verdict, cautions: [] };
+  const changes = { changes: {}, changes_against: {} };
+  const comparison = { baseline: "passive", ...changes, verdict, cautions: [], requirements: [] };
   const strategies = byStrategy(ids, summary);
   return { id: idOf(scenario, ids, roads), core_version: "1", scenario, comparison, strategies, over };
 }
