@@ -71,6 +71,7 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
         roads: int = 1,
         baseline: str | None = None,
         requirements: Sequence[Requirement] = (),
+        against: str | None = None,
     ) -> RunResult:
         """Run what is not stored yet.
 
@@ -85,8 +86,11 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
             requirements: What the strategies have to keep, `requirement_results` of the answer say how: each
                 `{"metric": name, "max": limit}`, or `min`, or `max_change` [%] against the baseline; perhaps
                 `strategies`, all but the baseline where they are left out.
+            against: A run's id, such as the one before an edit: `answer["comparison"]["changes_against"]` has the
+                changes of each strategy against itself there. Over several roads it has to be of the same ones.
         """
         body = {"scenario": scenario, "strategies": strategies, "roads": roads, "baseline": baseline}
+        body |= {} if against is None else {"against": against}
         return self._run(self._post("/runs", body | required(requirements, baseline)))
 
     def get_run(self, run_id: str) -> RunResult:

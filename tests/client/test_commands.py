@@ -91,6 +91,26 @@ def test_a_run_says_what_its_numbers_do_not(
     assert "\nLV control  failed: no controller" in cli("run", "-s", "lv,passive", code=1)
 
 
+def test_a_run_prints_the_changes_that_the_service_answers(cli: Cli, prepared: Prepared) -> None:
+    """Against the baseline and against another run, with half of their intervals where they have some."""
+    run, metric = prepared.answers["POST /runs"], "bump.body_acceleration.peak"
+
+    def answer(body: Any) -> Any:
+        answered = run(body)
+        answered["comparison"]["changes"]["lv"][metric]["change"] = -12.34
+        change = {"change": 5.0, "low": 3.0, "high": 7.0, "beyond_variation": True}
+        return answered | {"comparison": answered["comparison"] | {"changes_against": {"lv": {metric: change}}}}
+
+    prepared.answers["POST /runs"] = answer
+    alone = cli("run", "-s", "lv,passive")
+    assert " (-12.3 %)" in alone
+    assert "against run" not in alone
+    beside = cli("run", "-s", "lv,passive", "--against", RUN)
+    assert f"peak on the bump, changes against run {RUN}" in beside
+    assert " (+5.0 ± 2.0 %)" in beside
+    assert [body.get("against") for body in prepared.bodies("POST /runs")] == [None, RUN]
+
+
 def test_a_sweep_whose_runs_failed_has_them_and_an_exit_code_and_is_exported_later(
     cli: Cli, prepared: Prepared, outcomes: dict[str, Any], scenario: Path, tmp_path: Path
 ) -> None:

@@ -24,7 +24,6 @@ from sim_core.catalogue import (
     RUN_FIGURES,
     SIGNALS,
 )
-from sim_core.comparison.change import Change
 from sim_core.comparison.numbers import (
     NO_VALUE,
     ZERO_TOLERANCE,
@@ -61,7 +60,7 @@ class RunFacts:
         baseline: Whose figures the changes refer to.
         against: The id of the run to whose figures, strategy by strategy, they refer instead; None where to the
             baseline's.
-        changes: Strategy -> metric, by its flat name -> its change, as `Comparison.changes` has them.
+        changes: Strategy -> metric, by its flat name -> its change, as the answer's `comparison` has them.
         outcomes: By strategy, with the time histories there are.
         axis: `position` or `time`, for x of the figures.
         gone: Why time histories there were cannot be had any more; None where they can.
@@ -71,7 +70,7 @@ class RunFacts:
     created_at: datetime
     baseline: str
     against: str | None
-    changes: Mapping[str, Mapping[str, Change]]
+    changes: Mapping[str, Mapping[str, JsonObject]]
     outcomes: Mapping[str, Outcome]
     axis: str
     gone: str | None
@@ -175,7 +174,7 @@ class Numbers:
     """
 
     ran: JsonObject
-    changes: Mapping[str, Mapping[str, Change]]
+    changes: Mapping[str, Mapping[str, JsonObject]]
 
     def cell(self, key: str, strategy: str, scale: float | None = None) -> JsonObject:
         """One value, and its change where it is compared.
@@ -190,9 +189,9 @@ class Numbers:
         number = isinstance(value, int | float) and not isinstance(value, bool)
         shown = in_words(value) if scale is None else significant(value * scale) if number else NO_VALUE
         change = self.changes.get(strategy, {}).get(key)
-        percentage = None if change is None else change.change
+        percentage = None if change is None else change["change"]
         verdict = ""
-        if change is not None and percentage is not None and change.beyond_variation:
+        if change is not None and percentage is not None and change["beyond_variation"]:
             verdict = "better" if percentage < 0 else "worse"
         return {
             "raw": value,
@@ -202,9 +201,9 @@ class Numbers:
         }
 
 
-def _half(change: Change) -> float:
+def _half(change: JsonObject) -> float:
     """Return half the width of a change's interval [%]; 0 where it has none."""
-    return 0.0 if change.low is None or change.high is None else (change.high - change.low) / 2
+    return 0.0 if change["low"] is None else (change["high"] - change["low"]) / 2
 
 
 def _estimate(value: Any) -> tuple[Any, float]:

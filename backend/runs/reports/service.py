@@ -8,7 +8,7 @@ from functools import partial
 from backend.errors import GoneError
 from backend.gate import Gate
 from backend.requirements import Requirement
-from backend.runs.answers import as_plain, comparison_of, metric_changes, run_answer
+from backend.runs.answers import as_plain, run_answer
 from backend.runs.histories import Histories
 from backend.runs.reports import page
 from backend.runs.reports import run as run_report
@@ -16,7 +16,6 @@ from backend.runs.reports.page import Report, in_thread
 from backend.runs.results import Outcomes
 from backend.runs.service import Runs, check_has
 from sim_core.comparison.requirements import baseline_of
-from sim_core.scenario import Scenario
 
 
 @dataclass(eq=False, kw_only=True)
@@ -63,20 +62,15 @@ class RunReports:
         except GoneError as error:
             gone = error.message
         base = baseline_of(names, baseline or stored.baseline)
-        judged = partial(run_answer, stored, requirements=requirements, baseline=baseline)
-        answer = await asyncio.to_thread(judged)
-        if against is None:
-            scenario = Scenario.model_validate(stored.scenario)
-            changes = (await asyncio.to_thread(comparison_of, stored, scenario, baseline)).changes
-        else:
-            run = await self.runs.reference(against, client)
-            changes = await asyncio.to_thread(metric_changes, stored, run)
+        other = None if against is None else await self.runs.reference(against, client)
+        judged = partial(run_answer, stored, requirements=requirements, baseline=baseline, against=other)
+        answer = as_plain(await asyncio.to_thread(judged))
         facts = run_report.RunFacts(
-            answer=as_plain(answer),
+            answer=answer,
             created_at=stored.created_at,
             baseline=base,
             against=against,
-            changes=changes,
+            changes=answer["comparison"]["changes" if against is None else "changes_against"],
             outcomes=outcomes,
             axis=axis,
             gone=gone,

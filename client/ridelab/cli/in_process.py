@@ -39,7 +39,7 @@ class InProcess(Ridelab):
 
     def _post(self, path: str, body: Mapping[str, Any], key: str = "") -> dict[str, Any]:
         refusal: list[str] = []
-        if path == "/runs" and body["roads"] == 1 and "requirements" not in body:
+        if path == "/runs" and body["roads"] == 1 and not body.keys() & {"requirements", "against"}:
             with waiting("Driving"):
                 answer = _run(body, refusal)
             if answer is not None:

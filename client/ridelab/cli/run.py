@@ -1,5 +1,6 @@
 """`ridelab run`: strategies over one scenario."""
 
+from collections.abc import Mapping
 from typing import Annotated, Any
 
 import typer
@@ -12,6 +13,7 @@ from ridelab.requirements import failing
 from ridelab.results import Interval, Outcome, RunResult
 
 _VIEWS = (("rough_road", "rms", "RMS on the rough road"), ("bump", "peak", "peak on the bump"))
+_AGAINST = "Id of a run, such as the one before an edit: show changes against it too; needs a service."
 _ROADS = "Drive N roads, seeds road.seed and on: mean and interval."
 
 
@@ -22,6 +24,7 @@ def run(
     strategy: options.Strategies = None,
     roads: Annotated[int, typer.Option(metavar="N", min=1, max=50, help=_ROADS)] = 1,
     baseline: options.Baseline = None,
+    against: Annotated[str | None, options.option("RUN", _AGAINST)] = None,
     require: requirements.Require = None,
     strict: requirements.Strict = False,
     junit: requirements.Junit = None,
@@ -47,14 +50,14 @@ def run(
     required = requirements.requirements_of(require, services)
     requirements.check_file(junit, required)
     names = names or list(services.names.strategies)
-    result = ridelab.run(changed, names, roads=roads, baseline=baseline, requirements=required)
+    result = ridelab.run(changed, names, roads=roads, baseline=baseline, requirements=required, against=against)
     judged = result.requirement_results
     if junit is not None:
         requirements.write_junit(requirements.cases(judged, services), junit, "ridelab run", strict=strict)
     if as_json:
         print_json(with_units(result))
     else:
-        _show(result, ", ".join([source.name, *(changes or [])]), baseline, services.names)
+        _show(result, ", ".join([source.name, *(changes or [])]), against, services.names)
         if judged:
             typer.echo()
             requirements.show(judged, services)
@@ -72,27 +75,34 @@ def with_units(run: RunResult) -> dict[str, Any]:
     return {**run.answer, "units": run.units}
 
 
-def _show(run: RunResult, name: str, baseline: str | None, names: Names) -> None:
-    """The paper's signals of each strategy that ran and how its drive went; then why others did not run."""
-    against = baseline or run.baseline or ("passive" if "passive" in run.strategies else next(iter(run.strategies)))
+def _show(run: RunResult, name: str, against: str | None, names: Names) -> None:
+    """Print the paper's signals of each strategy that ran and how its drive went; then why others did not run."""
+    comparison = run.answer["comparison"]
     seed, drive, computed = run.scenario["road"]["seed"], "", "run"
     if run.roads > 1:
         name = f"{name}, {run.roads} roads (seeds {seed} to {seed + run.roads - 1}; events of {seed})"
         drive, computed = f"road seed {seed} alone", f"{run.roads} runs"
-    typer.echo(f"Ridelab core {run.core_version}, {name}; changes against {names.label(against)}\n")
+    reference = names.label(comparison["baseline"])
+    typer.echo(f"Ridelab core {run.core_version}, {name}; changes against {reference}\n")
     ran = {names.label(outcome.strategy): outcome for outcome in run if outcome.status == "ok"}
-    base = run[against] if run[against].status == "ok" else None
-    for window, statistic, title in _VIEWS:
-        metrics = [(window, key, statistic) for key in names.paper_signals]
-        rows = [[label, *(_cell(run, outcome, base, metric) for metric in metrics)] for label, outcome in ran.items()]
-        show_table([title, *map(names.signal, names.paper_signals)], rows)
-        typer.echo()
+    _show_metrics(ran, comparison["changes"], "", names)
+    if against is not None:
+        _show_metrics(ran, comparison["changes_against"], f", changes against run {against}", names)
     heads = [drive, "travel time", "at the bump", "airborne", "over travel", "QPs", computed]
     show_table(heads, [[label, *_drive(outcome)] for label, outcome in ran.items()])
     for outcome in run:
         for caveat in _caveats(outcome):
             typer.echo(f"{names.label(outcome.strategy)}  {caveat}")
-    show_cautions(run.answer.get("comparison", {}), with_the_papers=False)
+    show_cautions(comparison, with_the_papers=False)
+
+
+def _show_metrics(ran: Mapping[str, Outcome], changes: Mapping[str, Any], what: str, names: Names) -> None:
+    """Print the paper's metrics of strategies, by label, with these changes; `what` says against what they are."""
+    for window, statistic, title in _VIEWS:
+        metrics = [(window, key, statistic) for key in names.paper_signals]
+        rows = [[label, *(_cell(outcome, changes, metric) for metric in metrics)] for label, outcome in ran.items()]
+        show_table([f"{title}{what}", *map(names.signal, names.paper_signals)], rows)
+        typer.echo()
 
 
 def _caveats(outcome: Outcome) -> list[str]:
@@ -113,17 +123,18 @@ def _with(value: float | None, form: str, unit: str = "") -> str:
     return "-" if value is None else f"{value:{form}}{unit}"
 
 
-def _cell(run: RunResult, outcome: Outcome, base: Outcome | None, metric: tuple[str, str, str]) -> str:
-    """A metric and its change; over several roads both with half their interval's width."""
+def _cell(outcome: Outcome, changes: Mapping[str, Any], metric: tuple[str, str, str]) -> str:
+    """Return a metric and its change; over several roads both with half their interval's width."""
     window, signal, statistic = metric
     value: Any = outcome.metrics[window][signal][statistic]  # type: ignore[literal-required]  # one of both
-    if isinstance(value, Interval):
-        change = run.changes.get(outcome.strategy, {}).get(window, {}).get(signal, {}).get(statistic)
-        return f"{value}{f' ({change.mean:+z.1f} ± {change.half:.1f} %)' if isinstance(change, Interval) else ''}"
-    reference: Any = base.figures()[".".join(metric)] if base is not None and base is not outcome else None
     if value is None:
         return "-"
-    return f"{value:.4g}{f' ({100 * (value - reference) / reference:+z.1f} %)' if reference else ''}"
+    shown = f"{value}" if isinstance(value, Interval) else f"{value:.4g}"
+    change = changes.get(outcome.strategy, {}).get(".".join(metric))
+    if change is None or change["change"] is None:
+        return shown
+    half = "" if change["low"] is None else f" ± {(change['high'] - change['low']) / 2:.1f}"
+    return f"{shown} ({change['change']:+z.1f}{half} %)"
 
 
 def _drive(outcome: Outcome) -> list[str]:
