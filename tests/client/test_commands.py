@@ -93,7 +93,8 @@ def test_a_run_says_what_its_numbers_do_not(
 
 def test_a_run_prints_the_changes_that_the_service_answers(cli: Cli, prepared: Prepared) -> None:
     """Against the baseline and against another run, with half of their intervals where they have some."""
-    run, metric = prepared.answers["POST /runs"], "bump.body_acceleration.peak"
+    run: Any = prepared.answers["POST /runs"]
+    metric = "bump.body_acceleration.peak"
 
     def answer(body: Any) -> Any:
         answered = run(body)
