@@ -1,18 +1,21 @@
 """What each column of a table means and in which unit, what says where or when a row is, and what has to be asked."""
 
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import isclose, isinf
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS, SIGNALS
+from sim_core.recorded.offsets import GRAVITY, gravity_in
 from sim_core.tables.errors import TableError
 from sim_core.tables.layout import Layout
 from sim_core.tables.text import CLOCK, is_missing, number
-from sim_core.tables.titles import DRIVE, EPOCHS, KINDS, MEANINGS, ROAD, meanings, unit_in
-from sim_core.units import UNITS, factor
+from sim_core.tables.titles import DRIVE, EPOCHS, KINDS, MEANINGS, ROAD, meanings, size_of, unit_in, words
+from sim_core.units import UNITS
 
 if TYPE_CHECKING:
     from sim_core.tables.table import ColumnForm, TableForm
@@ -20,7 +23,7 @@ if TYPE_CHECKING:
 # In place of a unit of time: 10:00:00.5, with or without a date; and 100000.5, the same as digits.
 CLOCK_UNIT, DIGITS_UNIT = "clock", "hhmmss"
 _EPOCH_SIZES = ((1e17, "ns"), (1e14, "µs"), (1e11, "ms"), (0.0, "s"))  # by the size of the numbers since 1970
-_RATES = ("sample rate", "sampling rate", "sample frequency", "sampling frequency", "samplerate", "abtastrate")
+_RATE = re.compile(r"(?:sampl\w*|abtast)[\s_]*(?:rate|freq\w*)\W*(?:hz)?\W*([\d.]+)\s*(?:hz\b|$)", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,7 +111,8 @@ def understood(
         _said(index, title, named[index], kind) if index in named else _found(index, title, layout.units[index], kind)
         for index, title in enumerate(layout.titles)
     ]
-    found = _by_place(found, samples, kind, left_out=[index for index, form in named.items() if not form.means])
+    found = _beside_y(found, samples, named)
+    found = _by_place(found, samples, layout, kind, left_out=[place for place, form in named.items() if not form.means])
     found = _once_each(found, layout, kind, questions)
     needed = [each for each in found if each.means is not None]
     found = [
@@ -117,6 +121,8 @@ def understood(
         else each
         for each in found
     ]
+    if kind == DRIVE and not any(form.means == "body_acceleration" for form in named.values()):
+        found = _where_gravity_is(found, samples, questions)
     return found, _clock(found, layout, kind, given, questions)
 
 
@@ -149,19 +155,56 @@ def _said(index: int, title: str, form: "ColumnForm", kind: str) -> Column:
 def _found(index: int, title: str, unit_row: str, kind: str) -> Column:
     means, sure = meanings(kind, title)
     written = unit_row.strip("[]()") or unit_in(title, MEANINGS[kind][means] if means else "")[1]
-    direction = "down" if "down" in title.lower().split() else "up"
+    direction = "down" if {"down", "depth", "tiefe"} & set(words(title).split()) else "up"
     return Column(index=index, title=title, means=means, unit=written, sure=sure, direction=direction)
 
 
-def _by_place(found: list[Column], samples: Sequence[FloatArray], kind: str, left_out: Sequence[int]) -> list[Column]:
+def _beside_y(found: list[Column], samples: Sequence[FloatArray], named: Mapping[int, "ColumnForm"]) -> list[Column]:
+    """Return the columns, with an x not sure to be the distance where a y varies as well: both may be a map's."""
+    spreads = {words(each.title).partition(" ")[0]: _spread(samples[each.index]) for each in found}
+    if spreads.get("y", 0) > 0.01 * spreads.get("x", 0):
+        is_x = [words(each.title).partition(" ")[0] == "x" and each.index not in named for each in found]
+        return [replace(each, sure=each.sure and not x) for each, x in zip(found, is_x, strict=True)]
+    return found
+
+
+def _where_gravity_is(found: list[Column], samples: Sequence[FloatArray], questions: list[Question]) -> list[Column]:
+    """Return the columns, and ask where another one than the body's vertical acceleration has gravity in it."""
+    body = next((each for each in found if each.means == "body_acceleration"), None)
+    with_it = [each for each in found if each.means is None and gravity_in(_accelerations(each, samples))]
+    if body is None or not with_it or abs(_middle(_accelerations(body, samples))) > GRAVITY / 2:
+        return found
+    choices = (str(with_it[0].index + 1), str(body.index + 1))
+    asked = f"Gravity is in column {choices[0]}, not in {choices[1]}: which one is the body acceleration?"
+    questions.append(Question(f"/columns/{with_it[0].index}/means", asked, choices, choices[0]))
+    found[with_it[0].index] = replace(with_it[0], means=body.means)
+    found[body.index] = replace(body, means=None, likely=body.means)
+    return found
+
+
+def _accelerations(column: Column, samples: Sequence[FloatArray]) -> FloatArray:
+    """Return the first values of a column [m/s^2], NaN where it has another quantity."""
+    return samples[column.index] * (size_of(column.unit, "m/s^2") or np.nan)
+
+
+def _is_clock(column: Column, layout: Layout) -> bool:
+    """Check whether most of the cells are times such as 10:00:00.5."""
+    rows = [row for row in layout.sample if column.index < len(row) and CLOCK.search(row[column.index])]
+    return len(rows) > len(layout.sample) / 2
+
+
+def _by_place(
+    found: list[Column], samples: Sequence[FloatArray], layout: Layout, kind: str, left_out: Sequence[int]
+) -> list[Column]:
     """Return the columns, with what they may be by their place and values where no title says it."""
     there = {each.means for each in found}
     axis = "distance" if kind == ROAD else "time"
     if not {axis, "position"} & there:
         unknown = [each for each in found if each.means is None and each.index not in left_out]
-        rising = [each for each in unknown if _rises(samples[each.index])]
+        clocks = [each for each in unknown if kind == DRIVE and _is_clock(each, layout)]
+        rising = clocks or [each for each in unknown if _rises(samples[each.index])]
         if rising and not (kind == DRIVE and _counts(samples[rising[0].index])):
-            found[rising[0].index] = replace(rising[0], means=axis)
+            found[rising[0].index] = replace(rising[0], means=axis, sure=bool(clocks))
     unknown = [each for each in found if each.means is None and each.index not in left_out]
     others = [each for each in unknown if np.isfinite(samples[each.index]).any()]
     if kind == ROAD and not {"height", "left", "right"} & there and len(others) in (1, 2):
@@ -208,30 +251,30 @@ def _settled(
     place, means = f"/columns/{column.index}", str(column.means)
     si = MEANINGS[kind][means]
     if not (column.sure or said):
-        asked = f"Is “{column.title}” the {_label(means)}?"
+        asked = f"Is “{column.title}” the {_label(means)}{', down positive' * (column.direction == 'down')}?"
         questions.append(Question(f"{place}/means", asked, tuple(MEANINGS[kind]), means))
     if means == "time":
-        cells = [row[column.index] for row in layout.sample]
         if column.unit == DIGITS_UNIT:
             return column
-        if column.unit == CLOCK_UNIT or sum(CLOCK.search(cell) is not None for cell in cells) > len(cells) / 2:
+        if column.unit == CLOCK_UNIT or _is_clock(column, layout):
             return replace(column, unit=CLOCK_UNIT)
-        if column.unit.lower() in EPOCHS or (not column.unit and _middle(sample) > 1e9):
-            size = _middle(sample)
-            return replace(column, unit=next(unit for least, unit in _EPOCH_SIZES if size >= least))
+        middle = _middle(sample)
+        if set(column.unit.lower().split()) & set(EPOCHS) or (not column.unit and middle > 1e9):
+            return replace(column, unit=next(unit for least, unit in _EPOCH_SIZES if middle >= least))
     problem = "" if column.unit else f"In which unit is “{column.title}”?"
-    if not problem:
-        try:
-            factor(column.unit, si)
-        except ValueError:
-            problem = f"“{column.unit}”, the unit of “{column.title}”, is not understood: which one is it?"
+    own = unit_in(column.title, si)[1]
+    size, own_size = size_of(column.unit, si), size_of(own, si)
+    if column.unit and size is None:
+        problem = f"“{column.unit}”, the unit of “{column.title}”, is not understood: which one is it?"
+    elif size and own_size and not said and not isclose(size, own_size):
+        problem = f"“{column.title}” says {own}, and the row of units {column.unit}: which one is it?"
     if not problem:
         return column
     if said and column.unit:
         raise TableError(f"table: columns/{column.index}/unit: {problem}")
     guess = _likely_unit(means, si, sample)
     units = next((units for units in UNITS.values() if si in units), {si: 1.0})
-    questions.append(Question(f"{place}/unit", problem, tuple(units), guess))
+    questions.append(Question(f"{place}/unit", problem, tuple(dict.fromkeys([*units, guess])), guess))
     return replace(column, unit=guess, sure=False)
 
 
@@ -246,11 +289,9 @@ def _clock(found: Sequence[Column], layout: Layout, kind: str, given: "TableForm
         spacing = said.spacing if said else None
         if spacing is None and layout.step is not None:
             value, unit = layout.step
-            try:
-                spacing = value * factor(unit, "m")
-            except ValueError:
+            spacing = value * (size_of(unit, "m") or 1)
+            if size_of(unit, "m") is None:
                 questions.append(Question("/clock/spacing", "How far are two heights apart, in metres?", (), value))
-                spacing = value
         elif spacing is None:
             questions.append(Question("/clock/spacing", "How far are two heights apart, in metres?", (), None))
         return Clock(column=None, spacing=spacing)
@@ -263,12 +304,8 @@ def _clock(found: Sequence[Column], layout: Layout, kind: str, given: "TableForm
 
 def _rate_above(layout: Layout) -> float | None:
     """Return the sample rate that the lines above the titles say [Hz]."""
-    for cells in layout.preamble:
-        for name, value, *unit in zip(cells, cells[1:], cells[2:] or [""], strict=False):
-            rate = number(value.removesuffix("Hz").strip(), ".")
-            if name.lower().strip(": ") in _RATES and rate and unit[0].lower() in ("", "hz"):
-                return rate
-    return None
+    said = (_RATE.search(" ".join(cells).rstrip()) for cells in layout.preamble)
+    return next((rate for match in said if match and (rate := number(match[1], "."))), None)
 
 
 def are_complete(kind: str, columns: Sequence[Column], clock: Clock) -> bool:
@@ -317,7 +354,7 @@ def _sample(layout: Layout, index: int, decimal: str) -> FloatArray:
 
 
 def _or_nan(value: float | None) -> float:
-    return np.nan if value is None else value
+    return np.nan if value is None or isinf(value) else value
 
 
 def _rises(sample: FloatArray) -> bool:
@@ -329,16 +366,20 @@ def _counts(sample: FloatArray) -> bool:
     return bool((np.diff(sample) == 1).all()) and sample[0] in (0, 1)
 
 
+def _spread(sample: FloatArray) -> float:
+    return float(np.nanmax(sample) - np.nanmin(sample)) if np.isfinite(sample).any() else 0.0
+
+
 def _middle(sample: FloatArray) -> float:
     return float(np.nanmedian(sample)) if np.isfinite(sample).any() else 0.0
 
 
 def _likely_unit(means: str, si: str, sample: FloatArray) -> str:
     """Return the unit in which values of this size would be a car's or a road's."""
-    spread = float(np.nanmax(sample) - np.nanmin(sample)) if np.isfinite(sample).any() else 0.0
+    spread = _spread(sample)
     step = abs(float(np.nanmedian(np.diff(sample)))) if len(sample) > 1 and np.isfinite(sample).any() else 0.0
     if means == "time":
-        return "s" if step < 0.5 else "ms" if step < 500 else "µs" if step < 5e5 else "ns"
+        return "d" if 0 < step < 1e-5 else "s" if step < 0.5 else "ms" if step < 500 else "µs" if step < 5e5 else "ns"
     if means in ("height", "left", "right") or means.endswith(("deflection", "_road")):
         return "m" if spread < 1 else "mm"
     if means == "speed":

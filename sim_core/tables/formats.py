@@ -118,7 +118,7 @@ def spreadsheet_text(content: bytes, sheet: str | None) -> tuple[str, Sequence[s
                 f"This spreadsheet unpacks to more than {MAX_UNPACKED // 2**20} MB, or far beyond its size"
             )
         book = load_workbook(io.BytesIO(content), read_only=True, data_only=True, keep_links=False)
-        names = book.sheetnames
+        names = sorted(book.sheetnames, key=lambda name: -(getattr(book[name], "max_row", 0) or 0))  # the longest first
         if sheet is not None and sheet not in names:
             raise TableError("There is no sheet of this name")
         page = book[sheet or names[0]]

@@ -58,7 +58,7 @@ def find_layout(text: str, separator: str | None = None, titles_line: int | None
     errors: list[TableError] = []
     head = text[:_SNIFFED_CHARACTERS]
     runs = [_longest_run(head, each, errors) for each in ([separator] if separator else texts.SEPARATORS)]
-    best = max((run for run in runs if run is not None), key=lambda run: (run.worth, run.cells_above), default=None)
+    best = max((run for run in runs if run is not None), key=_Run.rank, default=None)
     if best is None or (best.width == 1 and errors):
         raise errors[0] if errors else TableError("There are no rows of numbers in this file")
     above = best.rows[: best.start]
@@ -92,10 +92,9 @@ class _Run:
     width: int
     worth: float
 
-    @property
-    def cells_above(self) -> int:
-        """How many cells the lines above have."""
-        return sum(len(cells) for _, cells in self.rows[: self.start])
+    def rank(self) -> tuple[float, bool, int]:
+        """Return what is compared with other runs; blanks, at which words are cut as well, come last of equals."""
+        return self.worth, self.separator != " ", sum(len(cells) for _, cells in self.rows[: self.start])
 
 
 def _longest_run(head: str, separator: str, errors: list[TableError]) -> _Run | None:
@@ -128,6 +127,7 @@ def values_share(cells: Sequence[str]) -> float:
 def _titles(above: Sequence[Row], width: int, wanted: int | None, separator: str) -> tuple[Row | None, Row | None]:
     """Return the row of titles and that of units above the values, of equally many cells as these."""
     units: Row | None = None
+    nearest: Row | None = None
     for line, found in [row for row in reversed(above) if any(row[1])][:_TITLES_WITHIN]:
         is_comment = texts.is_comment(found)
         found = texts.without_comment_sign(found) if is_comment else found
@@ -138,14 +138,25 @@ def _titles(above: Sequence[Row], width: int, wanted: int | None, separator: str
             continue
         if units is None and line != wanted and _are_units(cells):
             units = (line, cells)
+        elif nearest is not None:
+            is_better = line == min(nearest[0], *units[:1] if units else ()) - 1 and _are_distinct(cells)
+            return ((line, cells) if is_better else nearest), units
         elif wanted in (None, line):
-            return (line, cells), units
-    return None, units
+            nearest = (line, cells)
+            if wanted is not None or _are_distinct(cells):
+                break
+    return nearest, units
+
+
+def _are_distinct(cells: Sequence[str]) -> bool:
+    """Check whether most of the cells are there and no two are the same, as titles are."""
+    there = [cell for cell in cells if cell]
+    return len(set(there)) == len(there) >= len(cells) / 2
 
 
 def _fits(cells: Sequence[str], width: int, *, is_comment: bool) -> bool:
-    """Check whether a row may be the titles; that of an index may be missing."""
-    return len(cells) == width or (len(cells) == width - 1 and width > 2 and not is_comment)
+    """Check whether a row may be the titles; that of an index may be missing, and a last column be empty."""
+    return len(cells) == width or (width > 2 and abs(len(cells) - width) == 1 and not is_comment)
 
 
 def _joined(cells: Sequence[str], width: int) -> list[str]:

@@ -111,6 +111,8 @@ class Table:
     def signals(self) -> Mapping[str, FloatArray]:
         """By meaning, the values (rows,) in SI units: distance and height, or left and right; or a drive's signals.
 
+        A body acceleration is as it was recorded: what the notes say of gravity is done when it is compared.
+
         Raises:
             UnsureTableError: There are questions.
         """
@@ -167,7 +169,7 @@ def read_table(source: bytes | str | Path, kind: str | None = None, table: Mappi
     if not (given.decimal or layout.decimal_sure):
         asked = "Is the comma in these numbers a decimal comma, or does it stand between thousands?"
         questions.append(Question("/decimal", asked, (",", "."), decimal))
-    found_kind = kind or given.kind or columns.kind_of(layout, decimal, questions)
+    found_kind = kind or given.kind or (ROAD if layout.step else columns.kind_of(layout, decimal, questions))
     places, clock = columns.understood(layout, decimal, found_kind, given, questions)
     columns.ask_for_missing(found_kind, places, questions)
     notes: list[str] = []

@@ -103,7 +103,8 @@ _THOUSANDS = {
 }
 # Hours, if there are any, minutes, seconds with a fraction, and half of the day.
 CLOCK = re.compile(r"(?:^|[T\s])(?:(\d{1,3}):)?(\d{1,2}):(\d{2}(?:[.,:]\d+)?)\s*([AaPp])?")
-_MISSING = re.compile(r"|-{1,2}|–|-?nan(\(ind\))?|1\.#qnan|#?n/?a|null|none|nil|no ?data|#(value|num)!|#div/0!|[?*]")
+_MISSING = re.compile(r"|-{1,2}|–|-?nan(\(ind\))?|-?1\.#\w+|#?n/?a|#nv|null|none|nil|no ?data|#[\w/]+[!?]|\?|\*+")
+_STATION = re.compile(r"^(\d{1,6})\+(\d{2,3})([.,]\d+)?$")  # 12+340.5, of km and m or of hundreds of feet and feet
 
 
 def is_missing(cell: str) -> bool:
@@ -124,12 +125,12 @@ def without_comment_sign(cells: list[str]) -> list[str]:
 
 def is_value(cell: str) -> bool:
     """Check whether the cell looks like a number, a clock's time or a date."""
-    return _NUMERIC.fullmatch(cell) is not None or CLOCK.search(cell) is not None
+    return any(each.fullmatch(cell) for each in (_NUMERIC, _STATION)) or CLOCK.search(cell) is not None
 
 
 def number(cell: str, decimal: str) -> float | None:
     """Return the number in a cell whose fraction follows that decimal mark; None where there is none."""
-    text = cell.replace("−", "-")
+    text = _STATION.sub(r"\1\2\3", cell.replace("−", "-"))
     if _THOUSANDS[decimal].fullmatch(text):
         text = re.sub(rf"[{'.' if decimal == ',' else ','}{_BETWEEN_THOUSANDS}]", "", text)
     if _NUMERIC.fullmatch(text) is None:

@@ -1,5 +1,6 @@
 """The numbers of the columns that are read, from the first row to the last."""
 
+import re
 from array import array
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -12,9 +13,12 @@ from sim_core.tables.columns import CLOCK_UNIT, DIGITS_UNIT, Column
 from sim_core.tables.errors import TableError
 from sim_core.tables.layout import Layout, values_share
 from sim_core.tables.text import CLOCK, is_missing, number
-from sim_core.tables.titles import MEANINGS
-from sim_core.units import factor
+from sim_core.tables.titles import MEANINGS, size_of
 
+# How numbers are written that stand for no value: nines, the ends of integers, and what no sensor says.
+_CODE = re.compile(r"9{3,}|9{2,}\.9+|3276[78]|65535|214748364[78]|\d{10,}|[\d.]+e\+(1\d|20)")
+_LEAST_OTHERS = 10  # values, of which that is said
+_AXES = ("time", "position", "distance")
 ReadCell = Callable[[str], float]
 
 MAX_NUMBER = 1e21  # in any unit
@@ -54,7 +58,7 @@ def read(text: str, layout: Layout, decimal: str, columns: Sequence[Column]) -> 
                 for reading, place in readers:
                     row.append(reading(cells[place]))
         except ValueError:
-            if values_share(cells):
+            if values_share(cells) and not foreign and line == (lines[-1] + 1 if lines else line):
                 raise TableError(f"A value of “{used[len(row)].title}” is not a number", line) from None
             row = []
         if not row:
@@ -67,7 +71,21 @@ def read(text: str, layout: Layout, decimal: str, columns: Sequence[Column]) -> 
             numbers.append(value)
     notes = [f"Left out: {len(foreign)} lines behind the values, from line {foreign[0]} on"] if foreign else []
     signals = {str(each.means): np.array(column) for each, column in zip(used, stored, strict=True)}
+    notes += [note for each in used if (note := _without_code(each, signals[str(each.means)], lines))]
     return Values(lines=lines, signals=_in_si(signals, used, lines), notes=notes)
+
+
+def _without_code(column: Column, values: FloatArray, lines: Sequence[int]) -> str | None:
+    """Put NaN in place of a number such as -9999 that lies far from all others, and return a note on it."""
+    known = np.sort(values[np.isfinite(values)])
+    for code in known[[0, -1]].tolist() if len(known) and column.means not in _AXES else ():
+        others = known[known != code]
+        is_code = _CODE.fullmatch(f"{abs(code):.12g}") is not None and len(others) >= _LEAST_OTHERS
+        if is_code and np.abs(others - code).min() > np.ptp(others):
+            at = np.flatnonzero(values == code)
+            values[at] = np.nan
+            return f"“{column.title}”: {code:.12g} stands for no value, {len(at)} times, first in line {lines[at[0]]}"
+    return None
 
 
 def _number(decimal: str) -> ReadCell:
@@ -121,7 +139,7 @@ def _in_si(signals: Mapping[str, FloatArray], used: Sequence[Column], lines: Seq
             converted[means] = values - 2 * _HALF_A_DAY * np.cumsum(np.nan_to_num(jumps))
             continue
         kind = next(each for each in MEANINGS.values() if means in each)
-        size = factor(column.unit, kind[means])
+        size = size_of(column.unit, kind[means]) or 1.0
         converted[means] = (values - values[0] if size < 1e-3 and means == "time" else values) * size
         if column.direction == "down":
             converted[means] = -converted[means]

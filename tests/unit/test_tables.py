@@ -105,8 +105,34 @@ ROADS: dict[str, str | bytes] = {
     "wheel paths": lines(X, HEIGHT / MM, RIGHT / MM, head="Station_m,LWP_mm,RWP_mm"),
     "ERD in metres": erd("mm", MM, "0.25", "m"),
     "ERD in feet": erd("in", INCH, "0.8202099737532809", "ft"),
+    "titles over two lines": lines(
+        X, HEIGHT / MM, RIGHT / MM, head="Distance,Left,Right\nalong,wheel path,wheel path\n(m),(mm),(mm)"
+    ),
+    "tabs below lines of words": lines(
+        X, HEIGHT / MM, head="Pro 3.6 Export\nSample Interval: 0.25 m\n\nDistance (m)\tElevation (mm)", between="\t"
+    ),
+    "hundredths of a millimetre": lines(X, HEIGHT / 1e-5, head="Distance [m];Height [0.01 mm]", between=";"),
+    "miles and mils": lines(X / 1609.344, HEIGHT / 25.4e-6, head="Distance (mi),Elevation (mil)"),
+    "stations": lines(
+        [f"{12 + x // 1000:.0f}+{x % 1000:06.2f}" for x in X], HEIGHT, head="Station [m],Elevation [m]"
+    ).replace("12+", "0+"),
+    "sides behind the height": lines(
+        X, [4] * len(X), [5] * len(X), HEIGHT, RIGHT, head="x (m),Rut L (mm),Rut R (mm),Elevation L (m),Elevation R (m)"
+    ),
+    "French": lines(comma(X), comma(HEIGHT), head="Abscisse (m);Altitude (m)", between=";").encode("cp1252"),
+    "GPX names": lines([52.1] * len(X), X / 1000, HEIGHT, head="lat,dist_km,ele_m"),
+    "sums behind an empty line": lines(X, HEIGHT, head="x [m];z [m]", between=";", foot="\nMean;0.002\nMax;0.03"),
+    **{
+        f"{code} of missing cells": lines(
+            X, [code if n in (50, 51) else z for n, z in enumerate(HEIGHT / MM)], head="distance [m],height [mm]"
+        )
+        for code in ("-9999", "-999.0", "9999.99", "-32768", "65535", "-1E+10", "-1.#IND", "*****", "#NV", "#WERT!")
+    },
 }
-TWO_TRACKS = ("two tracks", "wheel paths", "ERD in metres", "ERD in feet")
+TWO_TRACKS = (
+    *("two tracks", "wheel paths", "ERD in metres", "ERD in feet"),
+    *("titles over two lines", "sides behind the height"),
+)
 
 
 @pytest.mark.parametrize("shape", ROADS)
@@ -114,7 +140,8 @@ def test_a_road_in_any_shape_is_read_right(shape: str) -> None:
     content = ROADS[shape]
     table = read_table(content.encode() if isinstance(content, str) else content, ROAD)
     assert not table.questions
-    there = np.delete(np.arange(len(X)), (50, 51)) if shape == "missing cells" else slice(None)
+    there = np.delete(np.arange(len(X)), (50, 51)) if "missing cells" in shape else slice(None)
+    assert "missing cells" not in shape or "Rows without a value: 2, the first in line 52" in table.notes
     np.testing.assert_allclose(table.signals["distance"], X[there], atol=2e-6)
     for name, heights in zip(("left", "right") if shape in TWO_TRACKS else ("height",), (HEIGHT, RIGHT), strict=False):
         np.testing.assert_allclose(table.signals[name], heights[there], atol=2e-6)
@@ -198,6 +225,26 @@ DRIVES: dict[str, str | bytes] = {
     ),
     "knots": lines(TIME, SPEED * 3600 / 1852, ACCELERATION, head="t [s];v [kn];acc_z [m/s^2]", between=";"),
     "other names twice": lines(TIME, ACCELERATION, TIME, head="time (s),accZ (m/s^2),time (s)"),
+    "a clock without a title": lines(
+        stamps(lambda each: f"{each:%Y-%m-%d %H:%M:%S.%f}"), ACCELERATION, head=",body_acceleration [m/s^2]"
+    ),
+    "date and clock": lines(
+        stamps(lambda each: f"{each:%d.%m.%Y}"),
+        [each.replace(".", ",") for each in stamps(milliseconds)],
+        comma(ACCELERATION),
+        head="Datum;Uhrzeit;Aufbaubeschleunigung [m/s²]",
+        between=";",
+    ),
+    "hours and milli-g": lines(TIME / 3600, ACCELERATION / G * 1000, head="Time (h),Body acceleration (mg)"),
+    "powers of units": lines(TIME, ACCELERATION, SPEED, head="t (s),acc z (m·s⁻²),v (m·s⁻¹)"),
+    "sources below units": lines(
+        TIME,
+        SPEED,
+        ACCELERATION / G,
+        ACCELERATION,
+        head="Note\n\nelapsed_time,speed,z_acc,x_acc\ns,m/s,G,G\n,gps,acc,acc",
+    ),
+    "rate in words": lines(range(400), ACCELERATION, head="Sampling rate [Hz]: 100\nn;acc z [m/s²]", between=";"),
 }
 
 
@@ -243,6 +290,29 @@ def test_a_drive_in_any_shape_is_read_right(shape: str) -> None:
             {"/columns/1/means": "2"},
         ),
         (lines(1000 * TIME, ACCELERATION, head="time [s],acc z [m/s^2]"), DRIVE, {"/to": 3600.0}),
+        (lines(X, HEIGHT, head="Distance [m],Height [mm]\nm,m"), ROAD, {"/columns/1/unit": "m"}),
+        (lines(X, X / 2, HEIGHT, head="X [m],Y [m],Z [m]"), ROAD, {"/columns/0/means": "distance"}),
+        (lines(X, -HEIGHT, head="Distance [m],Depth [m]"), ROAD, {"/columns/1/means": "height"}),
+        (
+            lines(TIME, ACCELERATION, ACCELERATION + G, SPEED, head="t (s),acc z (m/s²),acc y (m/s²),v (m/s)"),
+            DRIVE,
+            {"/columns/2/means": "3"},
+        ),
+        (
+            lines(TIME, SPEED, ACCELERATION, head="t (s),Linear acc x (m/s²),Linear Acceleration z (m/s²)"),
+            DRIVE,
+            {"/columns/2/means": "body_acceleration"},
+        ),
+        (
+            lines(45413.4 + TIME / 86400, ACCELERATION, head="Time;acc z [m/s²]", between=";"),
+            DRIVE,
+            {"/columns/0/unit": "d"},
+        ),
+        (
+            lines(TIME, ACCELERATION, SPEED, head="X_Value,acc z (m/s²),v (m/s),Comment"),
+            DRIVE,
+            {"/columns/0/means": "time", "/columns/0/unit": "s"},
+        ),
         (lines(ACCELERATION, ACCELERATION, ACCELERATION, head="x,y,z"), None, {"/kind": "drive"}),
     ],
 )
@@ -308,6 +378,7 @@ def test_a_correction_that_is_none_is_refused(table: dict[str, object], message:
         ('distance [m],height [m]\n0,0\n1,1\n2,"' + "2,\n" * 70_000, ROAD, "quotation mark is not closed", 4),
         ("distance [m]," + "," * 1000 + "\n0,0\n1,1\n", ROAD, "columns at most", 1),
         ("distance [m],height [m]\n" + "0" * 30_000 + ",1\n1,1\n2,2\n", ROAD, "characters at most", 2),
+        (f"distance [m],height [m]\n{'1' * 9000}+{'1' * 9000},1\n" + "1,1\n" * 50, ROAD, "is not a number", 2),
         ("ERDFILEV2.00\n2, 9, -1, 8, 1, 0.25, -1,\nSHORTNAMLElev.  RElev.  \nEND\n0 0\n1 1\n", ROAD, "binary", 2),
     ],
 )
@@ -332,7 +403,7 @@ def test_a_spreadsheet_is_read(tmp_path: Path) -> None:
     table = read_table(path, ROAD)
     assert (table.encoding, table.titles_line) == ("xlsx", 3)
     np.testing.assert_allclose(table.signals["height"], HEIGHT, atol=1e-9)
-    book.create_sheet("notes")
+    book.create_sheet("notes", 0)
     book.save(path)
     assert [question.guess for question in read_table(path, ROAD).questions] == ["Sheet"]
     assert not read_table(path, ROAD, {"sheet": "Sheet"}).questions
