@@ -4,8 +4,8 @@ They have the shapes of `backend.models` and `backend.runs.models`; what is stor
 Over 50 roads they take 0.2 s: they are made in threads, beside the event loop.
 """
 
-from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from dataclasses import asdict, replace
 from hashlib import sha256
 from math import isfinite
 from threading import Lock
@@ -14,44 +14,25 @@ import cachetools
 import orjson
 
 from backend.errors import InvalidError
-from backend.json_types import JsonObject
+from backend.json_types import JsonObject, Summary
 from backend.means_over_roads import Changes, Numbers, OverRoads, means_and_changes, numbers, paired_changes
 from backend.outcome import Outcome
 from backend.requirements import Requirement
 from backend.runs import series
+from backend.runs.models import LiveRequest
 from backend.store import StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import PAPER_METRICS
 from sim_core.comparison.caution import Caution
-from sim_core.comparison.change import Change
 from sim_core.comparison.compare import Comparison, compare_summaries
 from sim_core.comparison.intervals import Interval
 from sim_core.comparison.requirements import Driven, baseline_of, judge
 from sim_core.comparison.requirements import Requirement as CoreRequirement
-from sim_core.comparison.rows import LOWER_IS_BETTER, Row, changes_by_key, row_of
-from sim_core.scenario import Scenario, characteristics
+from sim_core.comparison.rows import LOWER_IS_BETTER
+from sim_core.scenario import SCHEMA_VERSION, Scenario, characteristics
 from sim_core.strategies import find_strategy, label_of
 
 WRITTEN_FACTS = 128  # runs, and ways to compare them, whose facts are kept; at most 0.1 MB each
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class LiveOutcomes:
-    """A run that is not stored, and what it is compared with.
-
-    Attributes:
-        scenario: What was driven.
-        outcomes: By strategy.
-        baseline: The strategy that changes refer to; None is passive, or the first.
-        requirements: Limits that the strategies have to satisfy.
-        against: The run of one road that `changes_against` refer to.
-    """
-
-    scenario: Scenario
-    outcomes: Mapping[str, Outcome]
-    baseline: str | None
-    requirements: Sequence[Requirement]
-    against: StoredRun | None
 
 
 def run_answer(
@@ -139,7 +120,9 @@ def _written_facts(
 ) -> dict[str, orjson.Fragment]:
     """Return the facts of a stored run as JSON: to compare takes longer than all else of a stored run's answer."""
     scenario = Scenario.model_validate(stored.scenario)
-    comparison = comparison_of(stored, scenario, baseline, compared, requirements, against)
+    comparison = comparison_of(
+        stored, scenario, baseline=baseline, compared=compared, requirements=requirements, against=against
+    )
     facts: JsonObject = {
         "characteristics": asdict(characteristics(scenario.vehicle)),
         "cautions": comparison.cautions,
@@ -153,34 +136,31 @@ def _written_facts(
 def comparison_of(
     stored: StoredRun,
     scenario: Scenario,
+    *,
     baseline: str | None,
     compared: Collection[str] | None = None,
     requirements: Sequence[CoreRequirement] = (),
     against: StoredRun | None = None,
+    metrics: Iterable[str] = LOWER_IS_BETTER,
 ) -> Comparison:
     """Return what the strategies that succeeded on every road mean beside each other.
 
     Raises:
         InvalidError: They are of several roads, and `against` is not of the same, or not of the same core version.
     """
-    names = list(stored.by_strategy)
-    reference = baseline_of(names, baseline or stored.baseline)
-    summaries = {
-        item.strategy: [each.summary for each in stored.by_strategy[item.strategy]]
-        for item in stored.shown
-        if compared is None or item.strategy == reference or item.strategy in compared
-    }
-    comparison = compare_summaries(summaries, reference, scenario)
+    reference = baseline_of(list(stored.by_strategy), baseline or stored.baseline)
+    is_compared = {reference, *(stored.by_strategy if compared is None else compared)}
+    summaries = {name: each for name, each in _summaries(stored).items() if name in is_compared}
+    other = None
+    if against is not None:
+        check_same_roads(stored.roads, scenario.road.seed, stored.core_version, against)
+        other = _summaries(against), Scenario.model_validate(against.scenario)
+    comparison = compare_summaries(summaries, reference, scenario, metrics, other)
     # Those had failed with the run's core version.
     others = [item for item in stored.shown if item.core_version not in (None, stored.core_version)]
     cautions = tuple(_other_version(item, stored) for item in others if item.strategy in summaries)
-    changes = {} if against is None else metric_changes(stored, against)
-    return replace(
-        comparison,
-        cautions=(*comparison.cautions, *cautions),
-        requirements=judge(requirements, _driven_or_reason(stored.by_strategy), baseline or _named_baseline(stored)),
-        changes_against={name: change for name, change in changes.items() if name in summaries},
-    )
+    results = judge(requirements, _driven_or_reason(stored), baseline or _named_baseline(stored))
+    return replace(comparison, cautions=(*comparison.cautions, *cautions), requirements=results)
 
 
 def _other_version(item: Outcome, stored: StoredRun) -> Caution:
@@ -192,13 +172,18 @@ def _other_version(item: Outcome, stored: StoredRun) -> Caution:
     return Caution(kind="core_version", text=text, strategy=item.strategy)
 
 
-def _driven_or_reason(by_strategy: Mapping[str, Sequence[Outcome]]) -> dict[str, Driven]:
+def _driven_or_reason(stored: StoredRun) -> dict[str, Driven]:
     """Return each strategy's summaries on every road, or why it has none."""
-    driven: dict[str, Driven] = {}
-    for name, items in by_strategy.items():
-        failed = next((item for item in items if item.status != "ok"), None)
-        driven[name] = [item.summary for item in items] if failed is None else failed.summary["reason"]
-    return driven
+    reasons = {
+        name: next((item.summary["reason"] for item in items if item.status != "ok"), "")
+        for name, items in stored.by_strategy.items()
+    }
+    return reasons | _summaries(stored)
+
+
+def _summaries(stored: StoredRun) -> dict[str, list[Summary]]:
+    """Return the summaries on every road of each strategy that succeeded on all of them."""
+    return {item.strategy: [each.summary for each in stored.by_strategy[item.strategy]] for item in stored.shown}
 
 
 def _named_baseline(stored: StoredRun) -> str | None:
@@ -212,64 +197,68 @@ def as_plain(answer: JsonObject) -> JsonObject:
     return plain
 
 
-def live_json(live: LiveOutcomes, signals: Sequence[str]) -> bytes:
-    """Return a run that is not stored, with the time histories of these signals in base64."""
+def live_answer(
+    scenario: Scenario, outcomes: Mapping[str, Outcome], request: LiveRequest, against: StoredRun | None
+) -> bytes:
+    """Return a run that is not stored, with the time histories that were asked for: in base64, or binary.
 
-    def typed(values: series.SeriesArray) -> JsonObject:
-        return {key: series.packed(values[series.ROWS[key]]) for key in signals}
+    Binary is a third less: the length of its JSON (uint32), the JSON, all numbers as little-endian float32. JSON has
+    `signals` and `samples` of each strategy that succeeded, whose numbers follow each other in its order. They begin at
+    a multiple of four bytes, as spaces end the JSON.
 
-    return _live(live, typed)
-
-
-def live_binary(live: LiveOutcomes, signals: Sequence[str]) -> bytes:
-    """Return the same in a third less: the length of its JSON (uint32), the JSON, all numbers as little-endian float32.
-
-    JSON has `signals` and `samples` of each strategy that succeeded, whose numbers follow each other in its order. They
-    begin at a multiple of four bytes, as spaces end the JSON.
+    Args:
+        scenario: What was driven.
+        outcomes: By strategy.
+        request: Which signals are in it, and what they are compared with.
+        against: The run of one road that it names.
     """
-    numbers: list[bytes] = []
+    signals, numbers = series.ordered_signals(request.signals), []
 
     def described(values: series.SeriesArray) -> JsonObject:
+        if request.encoding == "base64":
+            return {key: series.packed(values[series.ROWS[key]]) for key in signals}
         numbers.append(values[[series.ROWS[key] for key in signals]].astype("<f4", copy=False).tobytes())
         return {"signals": signals, "samples": values.shape[1]}
 
-    head = _live(live, described)
+    head = orjson.dumps(_live(scenario, outcomes, request, against, described))
+    if request.encoding == "base64":
+        return head
     head += b" " * (-len(head) % 4)
     return b"".join((len(head).to_bytes(4, "little"), head, *numbers))
 
 
-def _live(live: LiveOutcomes, described: Callable[[series.SeriesArray], JsonObject]) -> bytes:
+def _live(
+    scenario: Scenario,
+    outcomes: Mapping[str, Outcome],
+    request: LiveRequest,
+    against: StoredRun | None,
+    described: Callable[[series.SeriesArray], JsonObject],
+) -> JsonObject:
+    """Return a run that is not stored, for orjson; its comparison is of the paper's eight metrics."""
+
     def entry(outcome: Outcome) -> orjson.Fragment:
         values = outcome.series
         return outcome.answer(cached=outcome.cached, **({} if values is None else {"series": described(values)}))
 
-    strategies = {name: entry(outcome) for name, outcome in live.outcomes.items()}
-    comparison = _live_comparison(live)
-    head = {
+    run = StoredRun(
+        id="",
+        core_version=CORE_VERSION,
+        schema_version=SCHEMA_VERSION,
+        scenario=scenario.model_dump(mode="json"),
+        by_strategy={name: [outcome] for name, outcome in outcomes.items()},
+    )
+    limits = [each.to_core() for each in request.requirements]
+    comparison = comparison_of(
+        run, scenario, baseline=request.baseline, requirements=limits, against=against, metrics=PAPER_METRICS
+    )
+    return {
         "core_version": CORE_VERSION,
-        "scenario": live.scenario.model_dump(mode="json"),
-        "characteristics": asdict(characteristics(live.scenario.vehicle)),
+        "scenario": run.scenario,
+        "characteristics": asdict(characteristics(scenario.vehicle)),
         "cautions": comparison.cautions,
         "comparison": comparison,
+        "strategies": {name: entry(outcome) for name, outcome in outcomes.items()},
     }
-    return orjson.dumps(head | {"strategies": strategies})
-
-
-def _live_comparison(live: LiveOutcomes) -> Comparison:
-    """Return the comparison of a run that is not stored, of the paper's eight metrics."""
-    by_strategy = {name: [outcome] for name, outcome in live.outcomes.items()}
-    comparison = compare_summaries(
-        {name: [item.summary] for name, (item,) in by_strategy.items() if item.status == "ok"},
-        baseline_of(list(by_strategy), live.baseline),
-        live.scenario,
-        metrics=PAPER_METRICS,
-    )
-    changes: dict[str, dict[str, Change]] = {}
-    if live.against is not None:
-        changes = changes_by_key(_rows(by_strategy, live.scenario, PAPER_METRICS), _stored_rows(live.against))
-    requirements = [each.to_core() for each in live.requirements]
-    results = judge(requirements, _driven_or_reason(by_strategy), live.baseline)
-    return replace(comparison, changes_against=changes, requirements=results)
 
 
 def changes_to_strategy(stored: StoredRun, baseline: str) -> JsonObject:
@@ -285,31 +274,6 @@ def changes_to_strategy(stored: StoredRun, baseline: str) -> JsonObject:
         raise InvalidError(message, parameter="baseline")
     changes = _plain_changes(means_and_changes(driven, baseline).changes)
     return {"against": None, "baseline": baseline, "roads": stored.roads, "changes": changes}
-
-
-def metric_changes(stored: StoredRun, against: StoredRun) -> dict[str, dict[str, Change]]:
-    """Return by strategy and metric the changes of a run against another one, strategy by strategy.
-
-    Raises:
-        InvalidError: They are of several roads, and not of the same, or not of the same core version.
-    """
-    check_same_roads(stored.roads, stored.scenario["road"]["seed"], stored.core_version, against)
-    return changes_by_key(_stored_rows(stored), _stored_rows(against))
-
-
-def _stored_rows(stored: StoredRun) -> list[Row]:
-    return _rows(stored.by_strategy, Scenario.model_validate(stored.scenario))
-
-
-def _rows(
-    by_strategy: Mapping[str, Sequence[Outcome]], scenario: Scenario, metrics: Collection[str] = LOWER_IS_BETTER
-) -> list[Row]:
-    """Return the row of each strategy that succeeded on every road."""
-    return [
-        row_of(name, [each.summary for each in items], is_random=scenario.is_random, metrics=metrics)
-        for name, items in by_strategy.items()
-        if all(each.status == "ok" for each in items)
-    ]
 
 
 def changes_to_run(stored: StoredRun, against: StoredRun) -> JsonObject:
@@ -347,9 +311,9 @@ def _check_several(stored: StoredRun) -> None:
 
 def _driven(stored: StoredRun) -> dict[str, list[Numbers]]:
     """By strategy that succeeded on every road its numbers on each."""
-    summaries = {item.strategy: [each.summary for each in stored.by_strategy[item.strategy]] for item in stored.shown}
     return {
-        name: [numbers(each["metrics"], each["comfort"]) for each in of_roads] for name, of_roads in summaries.items()
+        name: [numbers(each["metrics"], each["comfort"]) for each in of_roads]
+        for name, of_roads in _summaries(stored).items()
     }
 
 

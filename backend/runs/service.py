@@ -23,18 +23,15 @@ from backend.recordings.service import Recordings
 from backend.requirements import Requirement
 from backend.roads.service import MeasuredRoads
 from backend.runs.answers import (
-    LiveOutcomes,
     changes_to_run,
     changes_to_strategy,
     check_same_roads,
-    live_binary,
-    live_json,
+    live_answer,
     run_answer,
 )
 from backend.runs.histories import ControllerMissingError
 from backend.runs.models import LiveRequest
 from backend.runs.results import Results
-from backend.runs.series import ordered_signals
 from backend.store import Store, StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.comparison.requirements import baseline_of
@@ -195,15 +192,7 @@ class Runs:
         self.gate.check_cost(sum(costs.values()))
         sampling = Sampling(request.points, request.part)
         (outcomes,) = await self.results.get([scenario], names, client, sampling=sampling, costs=costs)
-        live = LiveOutcomes(
-            scenario=scenario,
-            outcomes=outcomes,
-            baseline=request.baseline,
-            requirements=request.requirements,
-            against=other,
-        )
-        render = live_binary if request.encoding == "binary" else live_json
-        return await asyncio.to_thread(render, live, ordered_signals(request.signals))
+        return await asyncio.to_thread(live_answer, scenario, outcomes, request, other)
 
     async def stored(self, run_id: str, client: str) -> StoredRun:
         """The run; what is missing of it, removed or failed for a reason that may have passed, is computed again.

@@ -113,7 +113,7 @@ def compare(
     return replace(
         comparison,
         requirements=judge(requirements, summaries, baseline),
-        changes_against={} if against is None else _changes_against(by_road, rows, _by_road(against)),
+        changes_against=_changes_against(by_road, rows, _by_road(against)) if against else {},
     )
 
 
@@ -209,11 +209,15 @@ def _different(one: Mapping[str, Any], other: Mapping[str, Any], part: str = "")
             yield f"{part}{name}"
 
 
+Summaries = Mapping[str, Sequence[Mapping[str, Any]]]
+
+
 def compare_summaries(
-    summaries: Mapping[str, Sequence[Mapping[str, Any]]],
+    summaries: Summaries,
     baseline: str,
     scenario: Scenario,
     metrics: Iterable[str] = LOWER_IS_BETTER,
+    against: tuple[Summaries, Scenario] | None = None,
 ) -> Comparison:
     """Return the comparison of results of one scenario of which only the summaries are there.
 
@@ -222,14 +226,21 @@ def compare_summaries(
         baseline: The strategy that changes refer to; one that failed has no summaries, and then there are no changes.
         scenario: What was driven, on the first road.
         metrics: Flat names of those that are compared.
+        against: The summaries of another run, over the same roads where there are several, and its scenario.
     """
     keys = tuple(metrics)
+    rows = _rows_of_summaries(summaries, scenario, keys)
+    comparison = _compare(rows, baseline, scenario_cautions(scenario))
+    changes = {} if against is None else changes_by_key(rows, _rows_of_summaries(*against, keys))
+    return replace(comparison, changes_against=changes)
+
+
+def _rows_of_summaries(summaries: Summaries, scenario: Scenario, metrics: Sequence[str]) -> list[Row]:
     labels = labels_of(summaries)
-    rows = [
-        row_of(name, each, is_random=scenario.is_random, metrics=keys, label=labels[name])
+    return [
+        row_of(name, each, is_random=scenario.is_random, metrics=metrics, label=labels[name])
         for name, each in summaries.items()
     ]
-    return _compare(rows, baseline, scenario_cautions(scenario))
 
 
 def _compare(rows: Sequence[Row], baseline: str, cautions: Iterable[Caution]) -> Comparison:

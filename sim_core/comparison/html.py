@@ -5,7 +5,7 @@ from html import escape
 
 from sim_core.catalogue import METRICS, PAPER_METRICS
 from sim_core.comparison.change import Change
-from sim_core.comparison.numbers import NO_VALUE, percent, significant, with_unit
+from sim_core.comparison.numbers import NO_VALUE, percent
 from sim_core.comparison.requirements import RequirementResult
 from sim_core.strategies import label_of
 
@@ -54,15 +54,8 @@ def _cell(change: Change | None) -> str:
 
 
 def _requirement(result: RequirementResult) -> str:
-    """Return a requirement's result as text: values in the metric's SI unit, changes in percent."""
-    limits = {"at most": result.max, "at least": result.min, "change of at most": result.max_change}
-    word, limit = next((word, value) for word, value in limits.items() if value is not None)
-    unit = METRICS[result.metric].unit if result.baseline is None else "%"
-    subject = f"{label_of(result.strategy)}, {METRICS[result.metric].label}, {word} {with_unit(f'{limit:g}', unit)}"
-    value = "" if result.value is None else with_unit(significant(result.value), unit)
-    if result.low is not None and result.high is not None:
-        value += f", 95 % interval {significant(result.low)} to {significant(result.high)}"
-    return f"{subject}: {result.result} ({result.reason or value})"
+    subject = f"{label_of(result.strategy)}, {METRICS[result.metric].label}, {result.limit_text}"
+    return f"{subject}: {result.result}, {result.reason or result.value_text}"
 
 
 def _list(title: str, items: Iterable[str]) -> str:

@@ -7,7 +7,9 @@ from typing import Any, Literal
 
 from sim_core.catalogue import METRICS
 from sim_core.comparison.intervals import Interval, change_with_interval, mean_with_interval
+from sim_core.comparison.numbers import NO_VALUE, exact, significant, with_unit
 from sim_core.errors import RidelabError
+from sim_core.strategies import label_of
 
 LIMITS = ("max", "min", "max_change")
 _NOT_RUN = "It did not run"
@@ -112,6 +114,26 @@ class RequirementResult:
     low: float | None = None
     high: float | None = None
     reason: str | None = None
+
+    @property
+    def limit_text(self) -> str:
+        """Return the limit in words: `at most 3 m/s²`, `changes by at most −20 % against Passive`."""
+        words = {"at most": self.max, "at least": self.min, "changes by at most": self.max_change}
+        word, limit = next((word, value) for word, value in words.items() if value is not None)
+        against = "" if self.baseline is None else f" against {label_of(self.baseline)}"
+        return f"{word} {with_unit(exact(limit), self._unit)}{against}"
+
+    @property
+    def value_text(self) -> str:
+        """Return the value with its unit, and over several roads its interval: `2.50 m/s² (2.31 to 2.69)`."""
+        text = NO_VALUE if self.value is None else with_unit(significant(self.value), self._unit)
+        if self.low is None or self.high is None:
+            return text
+        return f"{text} ({significant(self.low)} to {significant(self.high)})"
+
+    @property
+    def _unit(self) -> str:
+        return METRICS[self.metric].unit if self.max_change is None else "%"
 
 
 def judge(

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from sim_core import Requirement, Road, Scenario, StrategyResult, compare, simulate
 from sim_core.catalogue import PAPER_METRICS
+from sim_core.comparison.numbers import significant
 from sim_core.errors import RidelabError
 from sim_core.strategies.passive import Passive
 
@@ -172,6 +173,9 @@ def test_requirements_of_several_roads_pass_fail_or_are_uncertain(
     assert result.high is not None
     assert result.low <= expected[1] + 1e-9
     assert result.high >= expected[1] - 1e-9
+    against = " against Passive" if "max_change" in limit else ""
+    assert result.limit_text.endswith(against)
+    assert result.value_text.endswith(f" ({significant(result.low)} to {significant(result.high)})")
 
 
 values = st.lists(st.floats(0.5, 9).map(lambda value: round(value, 2)), min_size=1, max_size=3)
@@ -219,6 +223,6 @@ def test_a_notebook_shows_verdict_changes_requirements_and_cautions() -> None:
     assert comparison.verdict.text in shown
     assert "<td>LV control</td><td>−50.0\u2009%</td>" in shown
     assert "<td>&lt;b&gt;</td><td>−5.0\u2009%*</td>" in shown, "escaped, and not beyond random variation"
-    assert "LV control, Body acceleration, peak, bump, at most 3\u00a0m/s²: pass (2.50\u00a0m/s²)" in shown
+    assert "LV control, Body acceleration, peak, bump, at most 3\u00a0m/s²: pass, 2.50\u00a0m/s²" in shown
     assert "Change against the other run" in shown
     assert "<li>The body&#x27;s weight compresses" in shown

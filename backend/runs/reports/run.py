@@ -35,6 +35,7 @@ from sim_core.comparison.numbers import (
     significant,
     with_unit,
 )
+from sim_core.comparison.requirements import RequirementResult
 from sim_core.comparison.vehicle_cautions import PAPER_SAG
 from sim_core.strategies import label_of
 
@@ -47,7 +48,6 @@ TABLES = {
     "RMS on the rough road and peak on the bump": PAPER_SIGNALS,
     "Suspension travel and forces": METRIC_SIGNALS[len(PAPER_SIGNALS) :],
 }
-_LIMITS = {"max": "at most", "min": "at least", "max_change": "changes by at most"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -125,22 +125,16 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
     return render("run.html", values, with_data, compressed=compressed)
 
 
-def _required(result: JsonObject) -> JsonObject:
-    """A requirement and how it is kept, in words."""
-    metric, change = METRICS[result["metric"]], result["max_change"] is not None
-    word, limit = next((word, result[name]) for name, word in _LIMITS.items() if result[name] is not None)
-    unit = "%" if change else metric.unit
-    against = f" against {label_of(result['baseline'])}" if change else ""
-    held = NO_VALUE if result["value"] is None else with_unit(significant(result["value"]), unit)
-    if result["low"] is not None:
-        held += f" ({significant(result['low'])} to {significant(result['high'])})"
+def _required(answered: JsonObject) -> JsonObject:
+    """Return a requirement and its result in words."""
+    result = RequirementResult(**answered)
     return {
-        "metric": metric.label,
-        "limit": f"{word} {with_unit(exact(limit), unit)}{against}",
-        "strategy": label_of(result["strategy"]),
-        "held": held,
-        "result": result["result"],
-        "reason": result["reason"],
+        "metric": METRICS[result.metric].label,
+        "limit": result.limit_text,
+        "strategy": label_of(result.strategy),
+        "held": result.value_text,
+        "result": result.result,
+        "reason": result.reason,
     }
 
 
