@@ -6,8 +6,6 @@ lets all clocks jump.
 
 import asyncio
 import contextlib
-import os
-import signal
 from collections.abc import Iterator
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -25,26 +23,10 @@ from backend.settings import Settings
 from backend.store import Store
 from sim_core.scenario.measured import MeasuredRoad
 from tests.api.test_job_store import BATCH, rows
-from tests.faults.conftest import Process
-from tests.faults.test_batches import state, submit
 from tests.servers import loops
-from tests.servers.leader import leader
 from tests.servers.postgres import Postgres
-from tests.servers.process import HANG_TIMEOUT, wait_until
+from tests.servers.process import HANG_TIMEOUT
 
-RUNS = 150
-COUNTS = text(
-    "SELECT count(*), count(DISTINCT result_key), count(key) FROM job_runs LEFT JOIN results ON key = result_key"
-)
-HASTY = """
-import sys
-from backend.__main__ import main
-from backend.jobs import leadership
-
-leadership.BEAT = leadership.RETRY = 0.5
-leadership.HUNG = 4.0
-sys.exit(main())
-"""
 PASSWORD = "of-an-ordinary-role"  # noqa: S105
 
 
@@ -56,23 +38,6 @@ def url(postgres: Postgres) -> str:
     postgres.execute(f"CREATE ROLE {role} LOGIN PASSWORD '{PASSWORD}'")
     postgres.execute(f"ALTER DATABASE {address.database} OWNER TO {role}")
     return address.set(username=role, password=PASSWORD).render_as_string(hide_password=False)
-
-
-class Hasty(Process):
-    """A service that takes a leader for hanging after four seconds instead of twelve."""
-
-    PROGRAM = ("-c", HASTY)
-
-
-@pytest.fixture
-def replicas(url: str, tmp_path: Path) -> Iterator[list[Hasty]]:
-    """Two, on one database."""
-    variables = {"RIDELAB_DATABASE_URL": url}
-    with contextlib.ExitStack() as started:
-        both = [started.enter_context(Hasty(tmp_path, f"api-{number}", **variables)) for number in range(2)]
-        for each in both:
-            each.wait_until_ready()
-        yield both
 
 
 @pytest.fixture
@@ -143,37 +108,6 @@ def test_a_leader_that_has_nothing_to_do_keeps_the_lead(
         await waiting
 
     loops.run(work)
-
-
-@pytest.mark.thorough
-def test_a_batch_goes_on_when_its_leader_is_stopped_and_nothing_is_twice_when_it_wakes(
-    replicas: list[Process], url: str
-) -> None:
-    with contextlib.closing(Store(url)) as store:
-        stopped = leader(url, replicas)
-        (other,) = (each for each in replicas if each is not stopped)
-        batch = submit(other, {"road": {"length": 121.7}}, RUNS)
-        wait_until(lambda: state(other, batch)["done"] > 0, "the batch begins", pause=0.01)
-        os.kill(stopped.pid, signal.SIGSTOP)
-        try:
-            # Until then the server may still commit what the stopped one had sent.
-            wait_until(lambda: leader(url, replicas) is other, "the other one drives")
-            before = state(other, batch)["done"]
-            assert before < RUNS, "the test needs a longer batch"
-            wait_until(lambda: state(other, batch)["done"] > before, "the batch goes on")
-        finally:
-            os.kill(stopped.pid, signal.SIGCONT)
-        wait_until(lambda: "Another service leads the jobs now" in stopped.log, "the old one has stepped down")
-        wait_until(lambda: state(other, batch)["state"] == "done", "the batch ends")
-        assert stopped.client.get(f"/api/v1/batches/{batch}").json()["done"] == RUNS
-        assert leader(url, replicas) is other
-        with store.reading() as connection:
-            counts = connection.execute(COUNTS).one()
-        assert set(counts) == {RUNS}
-        numbers = [event.number for event in store.job_events.of(batch, 0)]
-        assert numbers == list(range(1, len(numbers) + 1))
-    for each in replicas:
-        assert "Traceback" not in each.log, each.log[-5000:]
 
 
 def test_a_clock_that_jumps_ahead_makes_nothing_old_for_a_day(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -269,20 +269,6 @@ def test_a_batch_that_does_not_advance_says_why_until_it_does(
         assert stored.execute("SELECT state, reason FROM jobs").fetchall() == [("done", None)]
 
 
-def test_a_cluster_that_goes_away_is_started_again_and_only_what_is_missing_runs_again(tmp_path: Path) -> None:
-    broke: set[int] = set()
-
-    def breaking(chunk: Chunk) -> ChunkOutcome:
-        if Misbehaving.starts < 3 and Misbehaving.starts not in broke:
-            broke.add(Misbehaving.starts)
-            raise ConnectionError
-        return answered(chunk)
-
-    rows = drive(tmp_path, breaking)
-    assert {row.status for row in rows} == {"ok"}
-    assert Misbehaving.starts == 3
-
-
 def test_a_chunk_whose_roads_cannot_be_read_is_handed_out_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

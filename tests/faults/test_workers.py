@@ -2,7 +2,6 @@
 
 import asyncio
 import os
-import signal
 import threading
 import time
 from collections.abc import Callable, Coroutine, Iterator
@@ -15,7 +14,7 @@ import psutil
 import pytest
 
 from backend.compute.workers import Workers
-from backend.errors import WorkerLostError, WorkerTimeoutError
+from backend.errors import WorkerTimeoutError
 from backend.outcome import Sampling
 from backend.runs import WARM_UP
 from backend.runs.compute_run import compute_run
@@ -119,23 +118,6 @@ def test_a_task_that_nobody_waits_for_ends_or_never_begins(do: Do, tmp_path: Pat
 
     do(use)
     assert not never.exists()
-
-
-def test_a_process_that_dies_takes_its_own_task_with_it_and_no_other(do: Do, tmp_path: Path) -> None:
-    async def use(workers: Workers) -> None:
-        pid = await workers.call(os.getpid)
-        os.kill(pid, signal.SIGKILL)
-        await ended_process(pid)
-        assert await workers.call(os.getpid) != pid, "one that has died while idle"
-        once = (
-            f"import os, pathlib; p = pathlib.Path({str(tmp_path / 'once')!r}); p.exists() or (p.touch(), os._exit(1))"
-        )
-        await workers.call(exec, once)  # tried again
-        with pytest.raises(WorkerLostError):
-            await workers.call(os._exit, 1)
-        assert await workers.call(abs, -1) == 1
-
-    do(use)
 
 
 def test_what_cannot_be_sent_is_an_error_of_its_task_alone(do: Do) -> None:

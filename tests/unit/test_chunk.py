@@ -44,14 +44,6 @@ def test_equal_runs_are_computed_once_and_each_has_its_own_scenario() -> None:
     assert peaks[1] == pytest.approx(1.6 * peaks[0], rel=0.2), "the passive car is linear, the road adds a little"
 
 
-def test_without_its_measured_road_a_run_fails_and_the_failure_is_not_stored() -> None:
-    base = {**BASE, "road": {**BASE["road"], "profile": "A" * 22}}
-    (run,) = computed(waiting(0.05), base)
-    assert (run.status, run.cacheable) == ("failed", False)
-    assert run.summary["reason"] == "The measured road of this id is not here"
-    assert run.summary["kind"] == "unavailable"
-
-
 def test_a_run_that_is_too_expensive_is_a_failure_to_be_stored() -> None:
     """As it is of a single run."""
     steps = {"sample_time": 0.002, "prediction_horizon": 200, "control_horizon": 100}

@@ -3,7 +3,6 @@
 from typing import Any
 
 import pytest
-from pydantic import ValidationError
 
 from sim_core.frequency.stability import least_damping
 from sim_core.scenario import Scenario, characteristics
@@ -14,26 +13,6 @@ CURVE = [[-1, -1500], [-0.1, -400], [0.1, 600], [1, 2500]]
 
 def scenario(curve: Any, **vehicle: Any) -> Scenario:
     return Scenario.model_validate({"vehicle": {"front_damper_curve": curve, **vehicle}})
-
-
-@pytest.mark.parametrize(
-    ("curve", "said"),
-    [
-        ([], "It needs points in compression and in rebound"),
-        ([[0.1, 100], [1, 500]], "It needs points in compression and in rebound"),
-        ([[-1, -500], [1, 900], [0.5, 1000]], "Point 3: velocities have to ascend"),
-        ([[-1, 500], [1, 900]], "Point 1: rebound and its force are positive"),
-        ([[-1, -500], [0, 50], [1, 900]], "Point 2: .* at 0 m/s it is 0 N"),
-        ([[-1, -500], [0.5, 1000], [1, 900]], "From 0.5 to 1 m/s it rises by -200 N s/m, which has to be from 0 to"),
-        ([[-1, -5], [1, 900]], "From -1 to 0 m/s it rises by 5 N s/m, which has to be from 10 to 500000"),
-        ([[-1, -500], [1, float("inf")]], "finite"),
-        ([[-1, -500, 2], [1, 600]], "at most 2 items"),
-    ],
-)
-def test_what_no_damper_does_is_refused_at_its_field(curve: Any, said: str) -> None:
-    with pytest.raises(ValidationError, match=said) as refused:
-        scenario(curve)
-    assert refused.value.errors()[0]["loc"][:2] == ("vehicle", "front_damper_curve")
 
 
 def test_the_data_sheet_goes_by_the_slopes_around_rest() -> None:

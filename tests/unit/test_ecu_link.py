@@ -16,7 +16,7 @@ from backend.ecu.link import EcuError, connected
 from backend.ecu.tables import fingerprint
 from benchmarks.firmware import write_sources
 from sim_core.ecu.calibration import Calibration
-from sim_core.ecu.program import CompiledEcu, Frame
+from sim_core.ecu.program import Frame
 from sim_core.kernel.build import default_compiler
 from sim_core.scenario import Mpc, Scenario
 from sim_core.strategies.calibration import ecu_calibration
@@ -73,21 +73,6 @@ def nothing_stays(monkeypatch: pytest.MonkeyPatch) -> Any:
     before = {child.pid for child in psutil.Process().children()}
     yield
     assert {child.pid for child in psutil.Process().children()} <= before
-
-
-def test_the_program_answers_as_ours_does_and_forgets_between_connections(
-    calibration: Calibration, program: Path
-) -> None:
-    """To the bit, and with as many operations."""
-    for _ in range(2):
-        ours = CompiledEcu(calibration)
-        with connected(calibration, program) as ecu:
-            codes = frame(calibration).codes
-            codes[4] = 50
-            first, second = (ecu.exchange(Frame(step=step, stage=2, codes=codes)) for step in (7, 8))
-        assert [first, second] == [ours.exchange(Frame(step=step, stage=2, codes=codes)) for step in (7, 8)]
-        assert first.operations > 0
-        assert (0, 0) != first.commands != second.commands, "it remembers its last"
 
 
 MISBEHAVIOURS = {

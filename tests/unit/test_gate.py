@@ -71,16 +71,6 @@ async def another_client_finds_a_place_at_once_and_then_each_has_its_turn(crowd:
     assert crowd.counts["late"] == 1, "it did not wait for all that the others sent before"
 
 
-async def who_goes_away_leaves_queue_and_place(crowd: Crowd) -> None:
-    await crowd.send(*["a"] * (CLIENT_SLOTS + 2))
-    crowd.tasks[-1].cancel()
-    await crowd.settle()
-    assert crowd.queue.waiting == 1
-    crowd.tasks[0].cancel()
-    await crowd.settle()
-    assert (crowd.queue.waiting, crowd.queue.open.total()) == (0, CLIENT_SLOTS)
-
-
 async def a_turn_that_comes_as_its_request_goes_away_is_the_next_ones(crowd: Crowd) -> None:
     await crowd.send(*["a"] * (CLIENT_SLOTS + 2))
     crowd.handled[0][1].set()  # its place goes to the first that waits, which is called off just then
@@ -95,7 +85,6 @@ async def a_turn_that_comes_as_its_request_goes_away_is_the_next_ones(crowd: Cro
     "story",
     [
         another_client_finds_a_place_at_once_and_then_each_has_its_turn,
-        who_goes_away_leaves_queue_and_place,
         a_turn_that_comes_as_its_request_goes_away_is_the_next_ones,
     ],
     ids=lambda story: str(story.__name__),

@@ -9,7 +9,7 @@ import pytest
 from numpy.random import default_rng
 
 from sim_core import LinearLaw
-from sim_core.kernel import binding, build, library
+from sim_core.kernel import build, library
 from sim_core.kernel.library import load
 from sim_core.kernel.qp import QpMemory
 from sim_core.loop.preview import sliding_forecast
@@ -60,16 +60,6 @@ def test_the_library_for_newer_processors_gives_the_same_bits() -> None:
     assert name in build.libraries(build.default_compiler())
 
 
-def test_a_sliding_horizon_is_each_of_its_windows() -> None:
-    horizon = 5
-    forecast = sliding_forecast(default_rng(2).normal(size=(3, 20)), horizon, np.zeros((2, 16)))
-    velocities, braking = forecast.disturbances[:2], forecast.disturbances[2]
-    assert braking.shape == (16, horizon)
-    about_mean = braking - braking.mean(axis=1, keepdims=True)
-    norms = [np.linalg.norm(each, axis=1) for each in (*velocities, about_mean)]
-    np.testing.assert_allclose(forecast.preview_norms, [np.abs(braking.mean(axis=1)), *norms])
-
-
 @pytest.mark.parametrize(
     ("kind", "seen"),
     [(0, [1, 1, 1, 1]), (1, [1, 1, 1, 1]), (2, [1, 1, 1, 1]), (2, [1, -1, 1, -1])],
@@ -118,14 +108,3 @@ def test_a_residual_is_the_largest_violation() -> None:
     assert largest == set(range(5))
     memory.f[0] = np.nan
     assert not memory.residual(matrices) < np.inf
-
-
-def test_roughness_is_a_filtered_walk_and_says_between_which_slopes_it_lies() -> None:
-    normal, deviation, keep, grid = default_rng(3).normal(size=200), 0.004, 0.97, 0.1
-    expected = [deviation * normal[0]]
-    for number in normal[1:]:
-        expected.append(keep * expected[-1] + deviation * np.sqrt(1 - keep**2) * number)
-    heights = normal.copy()
-    between = binding.roughness(heights, deviation, keep, grid)
-    np.testing.assert_allclose(heights, expected, rtol=1e-12)
-    assert between == pytest.approx(np.ptp(np.diff(expected)) / grid, rel=1e-12)

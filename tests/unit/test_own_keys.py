@@ -35,27 +35,12 @@ class Plain(Looks):
     preview = "lookahead"
     prediction_horizon = 20
 
-class Made(Looks):
-    "Sets them in its objects."
-    id, label = "made", "Made"
-    def __init__(self, **values):
-        super().__init__(**values)
-        self.preview, self.prediction_horizon = "lookahead", 20
-
 class Computed(Looks):
     "Has a property."
     id, label = "computed", "Computed"
     preview = property(lambda self: "lookahead" if self.far else "obstacle")
     prediction_horizon = 20
     far: bool = option(True)
-
-class Late(Looks):
-    "Decides in each run."
-    id, label = "late", "Late"
-    def for_scenario(self, scenario):
-        ready = super().for_scenario(scenario)
-        ready.preview, ready.prediction_horizon = "lookahead", 20
-        return ready
 
 class Optional(Looks):
     "Has an option."
@@ -116,7 +101,7 @@ def own_ways(tmp_path_factory: pytest.TempPathFactory) -> dict[str, type[Control
 
 @pytest.mark.parametrize(
     "way",
-    ["plain", "made", "computed", "late", "optional", "scenarios", "overruled", "overridden", "horizon"],
+    ["plain", "computed", "optional", "scenarios", "overruled", "overridden", "horizon"],
 )
 def test_who_looks_ahead_has_the_sensors_errors_in_its_key_however_it_says_so(
     own_ways: dict[str, type[Controller]], way: str

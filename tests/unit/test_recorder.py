@@ -1,19 +1,14 @@
 """What is measured of a run while it is driven, against its definition in NumPy."""
 
-from functools import reduce
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import pytest
 from numpy.random import default_rng
-from scipy.linalg import expm
-from scipy.signal import tf2ss
 
 from sim_core.arrays import FloatArray
 from sim_core.kernel import binding
 from sim_core.kernel.record import SIGNALS, WEIGHTING, Recorder
-from sim_core.metrics.comfort import weighting, wk_quotients
 
 STATIC = 1.5  # load at which the tyres of `recorder` are in the air
 LAYOUT = binding.road_layout(-1.0, 100.0, "cosine", (1, 2.0, 0.0, 0.5, 3.0, 2.5))  # no kink
@@ -78,49 +73,6 @@ def test_sections_are_the_sum_of_their_fine_steps(fine: int, ends: list[list[flo
         expected = [in_section(kind, table[:, :, 2 + place], *section) for section in places.tolist()]
         found = np.transpose([result.integrals[:, place], result.peaks[:, place]])
         np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-15)
-
-
-@pytest.mark.parametrize("axles", [(1, 1), (0, 0.1), (0.1, 0)], ids=["both", "rear", "front"])
-@pytest.mark.parametrize("fine", [1, 4])
-def test_power_and_times_in_the_air_and_on_the_stops_are_trapezoids_up_to_the_last_place(
-    fine: int, axles: tuple[float, float]
-) -> None:
-    """Of forces and deflections of both axles, or of one of them; forces of less than 1 N, too."""
-    table, last, clearance = default_rng(fine).normal(size=(8, fine + 1, SIGNALS)), 6.7 * fine, 1.2
-    table[:, :, 8:] *= axles
-    table[:, :, 6:8] *= np.sign(axles)
-    ends = np.array([[0.0, fine], [fine, last]])
-    totals = measured(table, ends, clearance=np.full((2, 2), clearance)).totals
-    power = np.abs(table[:, :, 8] * table[:, :, 0]) + np.abs(table[:, :, 9] * table[:, :, 1])
-    expected = in_section("value", power, 0.0, last)
-    assert (totals["power"], totals["peak_power"]) == pytest.approx(expected, rel=1e-12)
-    lifted = table[:, :, 4:6] <= -STATIC
-    lasting = {"airborne": lifted.any(axis=2), "front_airborne": lifted[:, :, 0], "rear_airborne": lifted[:, :, 1]}
-    lasting["on_stops"] = (np.abs(table[:, :, 6:8]) > clearance).any(axis=2)
-    for name, there in lasting.items():
-        assert 0 < there.sum() < there.size
-        assert totals[name] == pytest.approx(in_section("value", there.astype(float), 0.0, last)[0], rel=1e-12), name
-    assert measured(table, ends).totals["on_stops"] == 0, "there are none"
-
-
-def test_acceleration_is_weighted_by_the_standards_filter_along_lines() -> None:
-    """Wk as one state space, exact for lines between samples; partial fractions and the series lose few digits."""
-    step, commands, fine = 7e-4, 40, 5
-    table = default_rng(1).normal(size=(commands, fine + 1, SIGNALS))
-    over, under = zip(*wk_quotients(), strict=True)
-    A, B, C, _ = tf2ss(reduce(np.polymul, over), reduce(np.polymul, under))
-    ramp = np.zeros((10, 10))
-    ramp[:8, :8], ramp[:8, 8], ramp[8, 9] = A * step, B[:, 0] * step, 1.0
-    over_step, state, outputs = expm(ramp)[:8], np.zeros(8), []
-    for samples in table[:, :, 2]:
-        for a, b in pairwise(samples):
-            outputs.append(float((C @ state)[0]))
-            state = over_step @ np.concatenate([state, [a, b - a]])
-    ends, count = np.array([[0.0, commands * fine]]), commands * fine - 3
-    result = measured(table, ends, weighting=weighting(step), weighted_samples=count)
-    square = np.array(outputs[:count]) ** 2
-    weighted = [result.totals["weighted_squares"], result.totals["weighted_fourths"]]
-    np.testing.assert_allclose(weighted, [square.sum(), (square**2).sum()], rtol=1e-8)
 
 
 def test_what_is_not_finite_shows_in_its_section_alone() -> None:

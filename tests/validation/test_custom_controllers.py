@@ -155,15 +155,6 @@ def test_what_it_sees_is_what_happens(vehicle: Vehicle) -> None:
     assert set(seen["stage"]) == {"cruise", "brake", "bump"}
 
 
-def test_measurements_have_the_noise_of_the_sensors() -> None:
-    noise = Estimation(acceleration_noise=0.2, deflection_noise=0.002, pitch_rate_noise=0.01)
-    exact = watched(SHORT.model_copy(update={"estimation": Estimation(acceleration_noise=1e-4, deflection_noise=1e-6)}))
-    noisy = watched(SHORT.model_copy(update={"estimation": noise}))
-    deviation = (noisy["measurement"] - exact["measurement"]).std(axis=0)
-    np.testing.assert_allclose(deviation, [0.002, 0.002, 0.2, 0.01], rtol=0.25)
-    np.testing.assert_array_equal(noisy["state"], exact["state"])
-
-
 def test_without_sensors_the_road_ahead_is_level() -> None:
     seen = watched(SHORT.model_copy(update={"mpc": Mpc(preview="none")}))
     np.testing.assert_allclose(np.diff(seen["preview"], axis=1), 0, atol=1e-15)

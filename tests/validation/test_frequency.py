@@ -5,10 +5,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.linalg import matrix_balance
 
 from sim_core import Controller, FloatArray, LinearLaw, Scenario, Seen, Setup
-from sim_core.frequency.margins import transfer
 from sim_core.frequency.responses import BANDS, RESPONSES, frequency_response
 from sim_core.frequency.sampled_loop import SampledLoop, sampled_loop, stage_law
 from sim_core.frequency.stability import least_damping
@@ -118,42 +116,6 @@ def test_modes_are_those_that_decide_stability(strategy: str, parts: dict[str, A
     assert result.modes is not None
     if least is not None and strategy != "lv":  # of LV that is over the stages
         assert min(mode.damping_ratio for mode in result.modes) == pytest.approx(least, rel=1e-6)
-
-
-@pytest.mark.parametrize(("strategy", "parts"), CASES[1:])
-def test_python_control_has_the_same_loop(strategy: str, parts: dict[str, Any]) -> None:
-    """1e-9 of the greatest gain: both solve the same equations in double precision, which SLICOT wants balanced."""
-    control = pytest.importorskip("control", reason="make development installs it")
-    loop = loop_of(strategy, **parts)
-    balanced, scale = matrix_balance(loop.A + loop.C @ loop.K, permute=False)
-    broken = control.ss(balanced, np.linalg.solve(scale, loop.B), loop.K @ scale, np.zeros((2, 2)), loop.step)
-    omega = 2 * pi * np.geomspace(0.1, 45, 50)
-    theirs = np.moveaxis(control.frequency_response(broken, omega).complex, 2, 0)
-    np.testing.assert_allclose(transfer(loop, omega * loop.step), theirs, atol=1e-9 * np.abs(theirs).max())
-
-
-@pytest.mark.parametrize("strategy", ["lqr", "skyhook", "passive"])
-def test_python_control_has_the_same_responses(strategy: str) -> None:
-    """1e-9 of the greatest: its own sampling of the car, its own responses, no loop of ours but the law."""
-    control = pytest.importorskip("control", reason="make development installs it")
-    scenario, frequencies = at_one_speed(), np.geomspace(0.5, 30, 40)
-    loop, car, omega = loop_of(strategy), half_car(scenario.vehicle), 2 * pi * frequencies
-    nothing = np.zeros((8, 2))
-    forces = control.ss(car.A, car.B, np.eye(8), nothing)
-    road = control.frequency_response(control.ss(car.A, car.E[:, :2], np.eye(8), nothing), omega).complex
-    held = control.frequency_response(control.sample_system(forces, loop.step, "zoh"), omega).complex
-    freely = control.frequency_response(forces, omega).complex
-    ours = there(frequency_response(scenario, strategy, frequencies.tolist()).responses)
-    theirs = []
-    for i, w in enumerate(1j * omega):
-        without = road[:, :, i] @ (w * np.array([1, np.exp(-w * scenario.vehicle.wheelbase / SPEED)]))
-        gain = loop.law.gain[:, :8]
-        command = gain @ np.linalg.solve(np.eye(8) - held[:, :, i] @ gain, without)
-        acting = command * (1 - np.exp(-w * loop.step)) / (w * loop.step)
-        theirs.append(car.C @ (without + freely[:, :, i] @ acting) + car.D @ acting)
-    for row, name in enumerate(RESPONSES):
-        expected = np.array(theirs)[:, row]
-        np.testing.assert_allclose(ours[name], expected, atol=1e-9 * np.abs(expected).max())
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ import pytest
 from pydantic import ValidationError
 from skfuzzy import control
 
-from sim_core import Fuzzy, Scenario
+from sim_core import Fuzzy
 from sim_core.scenario.fuzzy import TABLE_1 as RULES_OF_TABLE_1
 from sim_core.scenario.fuzzy import FuzzySet
 from sim_core.speed.fuzzy import memberships, torque_rules
@@ -134,51 +134,6 @@ def test_where_no_rule_holds_nothing_brakes() -> None:
     far_alone = torque_rules(Fuzzy.model_validate({"rules": [{"if": {"distance": "V"}, "then": "V"}]}))
     assert far_alone.share(20, 59.9) == 0
     assert far_alone.share(20, 80) == pytest.approx(11 / 12, abs=1e-3)
-
-
-TRIANGLE = {"name": "low", "function": "trimf", "corners": [0, 0, 10]}
-
-
-@pytest.mark.parametrize(
-    ("fuzzy", "place"),
-    [
-        ({"output": [{**TRIANGLE, "corners": [0, 1]}]}, ("output", 0, "corners")),
-        ({"output": [{**TRIANGLE, "corners": [3, 2, 1]}]}, ("output", 0, "corners")),
-        ({"output": [{**TRIANGLE, "corners": [1, 1, 1]}]}, ("output", 0, "corners")),
-        ({"output": [{**TRIANGLE, "corners": [0, 0, float("inf")]}]}, ("output", 0, "corners", 2)),
-        ({"output": [{**TRIANGLE, "function": "gaussmf", "corners": [0, 0]}]}, ("output", 0, "corners")),
-        ({"output": [{**TRIANGLE, "function": "gauss2mf", "corners": [0, 0, 1, 1]}]}, ("output", 0, "corners")),
-        ({"output": [{**TRIANGLE, "function": "sawtooth"}]}, ("output", 0, "function")),
-        ({"output": [{**TRIANGLE, "name": "a b"}]}, ("output", 0, "name")),
-        ({"output": [TRIANGLE, TRIANGLE]}, ("output",)),
-        ({"output": []}, ("output",)),
-        ({"inputs": {"speed_error": [TRIANGLE]}}, ("inputs", "distance")),
-        ({"rules": [{"if": {}, "then": "V"}]}, ("rules", 0, "if")),
-        ({"rules": [{"if": {"speed": "V"}, "then": "V"}]}, ("rules", 0, "if", "speed")),
-        ({"rules": [{"if": {"distance": "V"}}]}, ("rules", 0, "then")),
-        ({"rules": [{"condition": {"distance": "V"}, "then": "V"}]}, ("rules", 0, "if")),
-    ],
-)
-def test_what_is_wrong_is_said_where_it_is(fuzzy: dict[str, Any], place: tuple[str | int, ...]) -> None:
-    with pytest.raises(ValidationError) as refused:
-        Scenario.model_validate({"fuzzy": fuzzy})
-    assert ("fuzzy", *place) in [each["loc"] for each in refused.value.errors()]
-
-
-@pytest.mark.parametrize(
-    ("fuzzy", "field"),
-    [
-        ({"rules": [{"if": {"distance": "O"}, "then": "high"}]}, "rules.0.then"),
-        ({"rules": [{"if": {"distance": "far"}, "then": "O"}]}, "rules.0.if.distance"),
-        ({"rules": [{"if": {"distance": "O", "speed_error": "fast"}, "then": "O"}]}, "rules.0.if.speed_error"),
-        ({"output": [TRIANGLE]}, "rules"),
-    ],
-)
-def test_a_rule_names_sets_that_there_are(fuzzy: dict[str, Any], field: str) -> None:
-    with pytest.raises(ValidationError) as refused:
-        Scenario.model_validate({"fuzzy": fuzzy})
-    (error,) = refused.value.errors()
-    assert (error["loc"], error["ctx"]["field"]) == (("fuzzy",), field)
 
 
 @pytest.mark.parametrize("corners", [(0, 0, 1, 1), (0, 1, 1, 2), (0, 0, 0, 1), (0, 1, 1, 1)])

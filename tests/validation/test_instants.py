@@ -99,25 +99,6 @@ def test_a_plan_that_is_followed_with_a_perfect_model_is_what_the_simulation_doe
     np.testing.assert_allclose(there, plan.states, atol=1e-9 * np.abs(plan.states).max())
 
 
-@pytest.mark.parametrize(("field", "kind"), [("force_limit", "force"), ("deflection_limit", "deflection")])
-def test_a_multiplier_is_by_how_much_the_cost_falls_where_its_limit_is_raised(field: str, kind: str) -> None:
-    """Against a central difference of the sum of the cost's terms, from one state: 1e-4, the difference's error."""
-    at, change = instant(BOUND, "suspension_only", position=AT_BUMP), 1e-4
-
-    def cost(factor: float) -> float:
-        mpc = BOUND.mpc.model_copy(update={field: getattr(BOUND.mpc, field) * factor})
-        # the cost divides deflections by their limit: its weight undoes that
-        weight = BOUND.mpc.deflection_weight * (factor**2 if kind == "deflection" else 1)
-        other = BOUND.model_copy(update={"mpc": mpc})
-        plan = planned(other, SuspensionOnly(deflection_weight=weight), at.step, at.state, at.previous)
-        return sum(plan.cost.values())
-
-    slope = (cost(1 - change) - cost(1 + change)) / (2 * change * getattr(BOUND.mpc, field))
-    price = sum(limit.multiplier or 0.0 for limit in at.limits if limit.name.endswith(kind))
-    assert price > 0
-    assert slope == pytest.approx(price, rel=1e-4)
-
-
 def by_daqp(design: MpcDesign, inputs: FloatArray, without: str | None) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return forces [N] of the QP without the rows of one limit; multipliers of moves and of deflections."""
     qps = Qps(design.qp)

@@ -195,17 +195,6 @@ def test_a_drive_of_this_road_is_placed(
     assert re.search(r"position = [01]\.\d{5} × distance [+−] \d+\.\d{3} m$", found.notes[1])
 
 
-@pytest.mark.thorough
-@pytest.mark.parametrize("car", [{}, {"mismatch": Mismatch(damping=0.8, body_mass=1.1)}])
-@pytest.mark.parametrize("drift", [-SCALED, SCALED])
-@pytest.mark.parametrize("strategy", sorted(STRATEGIES.keys() - {"suspension_only"}))
-def test_a_drive_by_any_strategy_is_placed(strategy: str, drift: float, car: dict[str, Any]) -> None:
-    driven = SCENARIO.model_copy(update=car)
-    found = report_of(recording(driven, strategy, drift=drift, noise=0.3, keys=PLACED[:1]))
-    assert found.offset == pytest.approx(0, abs=0.5)
-    assert found.scale == pytest.approx(1 + drift, abs=0.003)
-
-
 def test_a_drive_that_costs_too_much_is_not_compared_with_and_named() -> None:
     """The drive is placed against what remains; the ECU drives LV's controller and is never asked for."""
     asked = set()
