@@ -9,6 +9,8 @@ import pytest
 
 from backend.__main__ import listen, main
 from tests.faults.conftest import Process
+from tests.servers.postgres import url
+from tests.servers.process import reserved_port
 
 # A second or two of one core: long enough to kill a worker in the middle.
 LONG: dict[str, Any] = {"road": {"length": 60.3, "bump": {"start": 30}}, "mpc": {"solver": "osqp", "force_limit": 500}}
@@ -85,5 +87,8 @@ def test_a_start_that_cannot_work_says_why(
             assert other.getsockname()[1] != port
     assert "RIDELAB_WORKERS" in fails("--port", "0", RIDELAB_WORKERS="many")
     assert "URL" in fails("--port", "0", RIDELAB_DATABASE_URL="no database")
+    nobody = fails("--port", "0", RIDELAB_DATABASE_URL=url(reserved_port(), "ridelab"))
+    assert "onnect" in nobody
+    assert not any(secret in nobody for secret in ("p@ss", "p%40ss"))
     (tmp_path / "file").touch()
     assert "file" in fails("--port", "0", "--data-dir", str(tmp_path / "file"))

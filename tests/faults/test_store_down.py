@@ -3,12 +3,8 @@
 That a connection cut in order and one cut by a kill are both found again is shown in tests/api/test_store.py.
 """
 
-import os
-import subprocess
-import sys
 from collections.abc import Iterator
 from contextlib import ExitStack, suppress
-from pathlib import Path
 
 import psutil
 import pytest
@@ -16,8 +12,8 @@ import pytest
 from tests.faults.conftest import Process, starter
 from tests.faults.test_batches import finished, state, submit
 from tests.faults.test_disk_full import LONG_BATCH, SHORT, check_refused, halted, post, refused_batch
-from tests.servers.postgres import Postgres, url
-from tests.servers.process import HANG_TIMEOUT, ROOT, reserved_port, wait_until
+from tests.servers.postgres import Postgres
+from tests.servers.process import HANG_TIMEOUT, wait_until
 
 RESTS = ("The jobs rest", "Another service leads the jobs now")  # the driver's words where it lost the database
 
@@ -81,15 +77,3 @@ def test_a_running_batch_and_its_stream_go_on_when_it_is_back(
     assert 0 < state(service, batch_id)["done"] < LONG_BATCH
     finished(service, batch_id, LONG_BATCH)
     assert '"done"' in [line for line in events if line.startswith("data:")][-1], "who follows its events hears of it"
-
-
-def test_a_start_without_it_says_so_and_ends(tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "backend", "--port", "0", "--data-dir", str(tmp_path)]
-    environment = {**os.environ, "RIDELAB_DATABASE_URL": url(reserved_port(), "ridelab")}  # where nobody listens
-    ended = subprocess.run(
-        command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=HANG_TIMEOUT, check=False
-    )
-    assert ended.returncode != 0
-    assert "onnect" in ended.stderr
-    for secret in ("p@ss", "p%40ss"):
-        assert secret not in ended.stdout + ended.stderr

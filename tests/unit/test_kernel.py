@@ -25,10 +25,20 @@ def test_where_it_is_not_built_or_of_other_sources_it_says_what_to_do(tmp_path: 
             load(file, expected)
 
 
-def test_it_is_plain_c11_to_the_machines_compiler(tmp_path: Path) -> None:
-    """To zig's and for other systems in tests/drill/test_cross_build.py, which builds their C libraries."""
-    compiler = build.default_compiler()
-    command = build.command(compiler, tmp_path / "library", "-fPIC", "-O1", "-Wall", "-Wextra", "-Werror")
+ZIG, TARGETS = [sys.executable, "-m", "ziglang", "cc", "-target"], ("x86_64-linux-gnu.2.17", "x86_64-windows-gnu")
+
+
+@pytest.mark.parametrize(
+    "compiler",
+    [
+        [*build.default_compiler(), "-fPIC"],
+        *(pytest.param([*ZIG, each], marks=pytest.mark.thorough) for each in ("native", *TARGETS, "aarch64-macos")),
+    ],
+    ids=lambda words: str(words[-1]),
+)
+def test_it_is_plain_c11_to_every_compiler(compiler: list[str], tmp_path: Path) -> None:
+    """To the machine's, and to zig's for other systems, whose C libraries it brings."""
+    command = build.command(compiler, tmp_path / "library", "-O1", "-Wall", "-Wextra", "-Werror")
     output = subprocess.run(command, capture_output=True, text=True, check=False)
     assert (output.returncode, output.stderr) == (0, "")
 

@@ -1,7 +1,5 @@
 """A controller of one's own that looks ahead is known so by its key, however its class says that it does."""
 
-import sys
-
 import pytest
 
 from backend.cost.estimate import work
@@ -9,9 +7,8 @@ from backend.custom_controllers.description import described, proxy_class
 from sim_core import Controller, check_controller, load_controllers, simulate
 from sim_core.scenario import Bump, Estimation, Lqr, Mpc, Road, Scenario, dotted
 from sim_core.scenario.dotted import is_within
-from sim_core.strategies import reads, resolve_speed_plan, values_read
+from sim_core.strategies import reads, values_read
 from sim_core.strategies.effects import conditional_reads
-from sim_core.strategies.reads import dependencies
 from tests.validation.conditions import may_affect
 
 BASE = Scenario(
@@ -119,21 +116,6 @@ def test_who_looks_ahead_has_the_sensors_errors_in_its_key_however_it_says_so(
         assert all(values_read(changed, each) != key for each, key in zip(known, keys, strict=True)), name
         assert all(any(is_within(name, part) for part in reads(each)) for each in known)
         assert way == "optional" or all(may_affect(conditional_reads(each), name, BASE) for each in known), name
-
-
-def test_the_check_drives_without_preview_a_controller_that_declares_one(
-    own_ways: dict[str, type[Controller]], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """In a scenario that looks ahead itself a key that forgets what the code assigns has all that is read."""
-    ahead = BASE.model_copy(update={"mpc": Mpc(preview="lookahead")})
-    monkeypatch.setattr(sys.modules[check_controller.__module__], "reads_in", forgetful)
-    said = check_controller(own_ways["overruled"], ahead)
-    assert any("mismatch.preview_gain" in each for each in said)
-
-
-def forgetful(scenario: Scenario, kind: type[Controller]) -> tuple[str, ...]:
-    """Return what is read by a class whose objects assigned nothing."""
-    return dependencies(kind, resolve_speed_plan(kind, scenario.speed.policy), scenario.mpc.preview)
 
 
 def test_whether_a_run_is_too_expensive_follows_from_what_its_key_has(own_ways: dict[str, type[Controller]]) -> None:

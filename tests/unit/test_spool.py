@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from backend.errors import BusyError, CostLimitError, TooManyRequestsError
+from backend.errors import BusyError
 from backend.gate import Budget
 from backend.http.spool import MAX_IN_MEMORY, Spool, SpoolFile
 from backend.pieces import render_to
@@ -54,12 +54,6 @@ def long_answer(spool: Spool, size: float = LONG, client: str = "one") -> SpoolF
     return file
 
 
-def test_a_short_answer_stays_in_memory(tmp_path: Path) -> None:
-    folder = tmp_path / "spool"
-    assert rendering(Spool(folder, Budget("space", 100 * MEGABYTE)), b"short", MAX_IN_MEMORY) == b"short"
-    assert not folder.exists()
-
-
 def test_a_long_one_lies_in_a_file_until_it_is_closed_or_forgotten(tmp_path: Path) -> None:
     folder = tmp_path / "spool"
     content = bytes(range(256)) * 4000
@@ -73,25 +67,6 @@ def test_a_long_one_lies_in_a_file_until_it_is_closed_or_forgotten(tmp_path: Pat
         end(file)
         del file
         assert not list(folder.iterdir())
-
-
-def test_the_sum_is_bounded_and_shared(tmp_path: Path) -> None:
-    spool = Spool(tmp_path, Budget("space", 100 * MEGABYTE))
-    with pytest.raises(CostLimitError, match="30 MB would be needed, and the limit is 25 MB: ask for fewer"):
-        long_answer(spool, 30 * MEGABYTE)
-    with pytest.raises(CostLimitError, match="limit is 25 MB: a shorter road"):
-        spool.file("one", 30 * MEGABYTE, advice="a shorter road")
-    held = [long_answer(spool, 25 * MEGABYTE) for _ in range(2)]
-    with pytest.raises(TooManyRequestsError):
-        long_answer(spool, 1 * MEGABYTE + LONG)
-    others = [long_answer(spool, 25 * MEGABYTE, "two") for _ in range(2)]
-    with pytest.raises(BusyError):
-        long_answer(spool, 25 * MEGABYTE, "three")
-    held.pop().close()
-    long_answer(spool, 25 * MEGABYTE, "three").close()
-    assert len(list(tmp_path.iterdir())) == 3
-    for other in others:
-        other.close()
 
 
 def test_a_failure_leaves_nothing_and_a_full_disk_is_said(tmp_path: Path) -> None:

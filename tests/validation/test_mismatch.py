@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from sim_core import Actuator, Bump, Mismatch, Preview, Road, Scenario, Speed, Vehicle, simulate
+from sim_core import Bump, Mismatch, Preview, Road, Scenario, Speed, Vehicle, simulate
 from sim_core.loop.excitation import excite
 from sim_core.loop.preview import preview
 from sim_core.road import profile as road
-from sim_core.road.sensed import ExpectedErrors, sensed_road, trusted, wiener_filter
+from sim_core.road.sensed import ExpectedErrors, sensed_road, trusted
 from sim_core.speed.profile import make_speed_profile
 
 SHORT = Scenario(road=Road(length=60, bump=Bump(start=40, width=3)), speed=Speed(detection_distance=30))
@@ -21,16 +21,6 @@ def test_a_passive_car_with_other_parameters_is_that_other_car() -> None:
     for signal, values in real.series.items():
         assert np.array_equal(believed.series[signal], values), signal
     assert believed.reference["front_static_load"] == real.reference["front_static_load"]
-
-
-@pytest.mark.parametrize("strategy", ["lv", "lqr"])
-def test_a_saturated_actuator_gives_no_more(strategy: str) -> None:
-    saturated = simulate(SHORT.model_copy(update={"actuator": Actuator(saturation=700)}), strategy)
-    forces = np.concatenate([saturated.series["front_force"], saturated.series["rear_force"]])
-    assert np.abs(forces).max() == 700
-    # One that never binds changes nothing.
-    ample = simulate(SHORT.model_copy(update={"actuator": Actuator(saturation=1e6)}), strategy)
-    assert ample.metrics == simulate(SHORT, strategy).metrics
 
 
 def expected(mismatch: Mismatch, driven: Road = SHORT.road, mode: Preview = "lookahead") -> np.ndarray:
@@ -148,13 +138,6 @@ def test_trust_is_the_best_linear_estimate() -> None:
     assert error < 0.3 * np.mean((seen - true) ** 2)
     assert trusted(seen, roughness, ExpectedErrors()) is seen
     assert np.isfinite(trusted(seen, 0.0, ExpectedErrors(noise=1e-170))).all()
-
-
-def test_where_road_and_noise_are_equally_dense_half_is_trusted() -> None:
-    """White noise of deviation σ at samples Δx apart has, up to 1/(2 Δx), the one-sided density 2 σ² Δx [m³]."""
-    roughness, noise = 64e-6, 0.002
-    equal = np.sqrt(roughness * 0.1**2 / (2 * noise**2 * 0.01) - 0.011**2)  # [1/m], within the grid's 50
-    assert wiener_filter(np.array([equal]), roughness, ExpectedErrors(noise=noise)) == pytest.approx(0.5)
 
 
 def test_the_more_offset_is_expected_the_less_of_the_short_waves_is_trusted() -> None:

@@ -138,15 +138,3 @@ def test_metrics_are_an_adaptive_solvers(scenario: Scenario, law: str) -> None:
     rms, peak = worst(errors(scenario, law))
     assert rms < 0.001
     assert peak < 0.004
-
-
-def test_a_damper_that_can_be_set_to_one_value_is_that_damper() -> None:
-    """Whatever the law asks for; its force is the passive car's with that damping."""
-    one = Hook(semi_active=True, min_damping=3000, max_damping=3000)
-    set_to_it = simulate(constant_speed(one, vehicle=Vehicle(rebound_ratio=2)), "skyhook")
-    passive = simulate(constant_speed(Hook(), vehicle=Vehicle(front_damping=3000, rear_damping=3000)), "passive")
-    time = passive.series["time"]
-    for signal in ("body_acceleration", "front_tyre_load", "rear_deflection"):
-        ours, theirs = (np.interp(time, each.series["time"], each.series[signal]) for each in (set_to_it, passive))
-        # Two ways to step it, in steps of different lengths.
-        assert np.abs(ours - theirs).max() < 0.02 * np.abs(theirs).max(), signal
