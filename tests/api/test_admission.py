@@ -1,11 +1,8 @@
 """Who is alone is never refused, others have their turn, and a refusal costs next to nothing."""
 
 import contextlib
-import itertools
-from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
-import httpx
 import pytest
 
 from backend.gate import Admission, RequestQueue
@@ -13,7 +10,6 @@ from tests.servers.process import HANG_TIMEOUT, wait_until
 
 HERE = "127.0.0.1"  # the client of these tests
 JSON = {"Content-Type": "application/json"}
-_seeds = itertools.count(500_000)
 
 
 def full(queue: RequestQueue) -> contextlib.ExitStack:
@@ -22,22 +18,6 @@ def full(queue: RequestQueue) -> contextlib.ExitStack:
     for _ in range(queue.max_client_requests):
         held.enter_context(queue.admit(HERE))
     return held
-
-
-def test_one_client_with_64_threads_is_never_refused(service: Any) -> None:
-    def run(seed: int) -> int:
-        body = {"scenario": {"road": {"seed": seed}}, "strategies": ["passive"]}
-        answer = clients[seed % 64].post("/api/v1/runs", json=body)
-        assert answer.status_code == 200, answer.text
-        return answer.status_code
-
-    seeds = [next(_seeds) for _ in range(512)]
-    with contextlib.ExitStack() as opened:
-        clients = [
-            opened.enter_context(httpx.Client(base_url=service.base_url, timeout=HANG_TIMEOUT)) for _ in range(64)
-        ]
-        with ThreadPoolExecutor(64) as threads:
-            assert list(threads.map(run, seeds)) == [200] * 512
 
 
 def test_a_refusal_comes_before_the_body_is_read_and_what_is_only_read_is_read(

@@ -10,7 +10,6 @@ import pytest
 from sim_core import Comparison, Requirement, Scenario, compare, simulate
 from sim_core.catalogue import PAPER_METRICS
 from tests.api.conftest import Service
-from tests.api.test_recordings import SCENARIO, SENT, recorded, send
 
 NAMES = ["lv", "lqr", "passive"]
 PEAK = "bump.body_acceleration.peak"
@@ -73,16 +72,6 @@ def test_over_several_roads_changes_have_the_intervals_that_changes_has(service:
     assert service.get(f"/api/v1/links/{slug}").json()["run"]["changes"] == answer["changes"]
     paired = answer["changes"]["passive"]["bump"]["body_acceleration"]["peak"]
     assert answer["comparison"]["changes"]["passive"][PEAK]["low"] == paired["low"]
-
-
-def test_a_recorded_drive_can_be_the_baseline(service: Service) -> None:
-    name = send(service, recorded(*SENT)).raise_for_status().json()["strategy"]
-    comparison = service.run(["lqr", "passive", name], SCENARIO, baseline=name).json()["comparison"]
-    assert comparison["baseline"] == name
-    assert not comparison["changes"]["passive"][PEAK]["beyond_variation"]
-    assert comparison["changes"]["lqr"][PEAK]["change"] < -50
-    assert "rough_road.pitch_acceleration.rms" not in comparison["changes"]["lqr"], "it does not have that"
-    assert "recording" not in str(comparison["verdict"]["best"])
 
 
 def test_a_baseline_that_failed_stays_the_baseline(service: Service, lqr_fails: int) -> None:

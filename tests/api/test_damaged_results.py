@@ -12,16 +12,14 @@ from sqlalchemy import Column, Connection, Table, select, update
 
 from backend.db.columns import UNCHECKED
 from backend.db.database import insert_new
-from backend.db.tables import job_runs, links, pinned_series, recordings, results, roads, run_results, runs
+from backend.db.tables import links, pinned_series, recordings, results, roads, run_results, runs
 from backend.errors import DamagedError
 from backend.store import Store, StoredLink, StoredRun
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.scenario.recorded import RecordedDrive
-from tests.api.conftest import HEIGHTS
 from tests.api.test_job_store import BATCH, computed, rows
 from tests.api.test_links import opened, share
 from tests.api.test_store import outcomes, save
-from tests.servers import batches
 from tests.there import there
 
 
@@ -79,24 +77,6 @@ def test_a_damaged_result_of_a_run_is_computed_again(service: Any, fresh: dict[s
         assert text(connection, key) == stored
     assert figures(service.get(f"/api/v1/runs/{fresh['id']}").json()) == figures(fresh)
     assert dropped(service) == before + 1, "it is whole again"
-
-
-def test_a_batch_computes_a_damaged_result_again(service: Any, road: dict[str, Any]) -> None:
-    sweep = {"grid": {"road.bump.height": [next(HEIGHTS) for _ in range(3)]}}
-    body = {"scenario": {"road": road}, "strategies": ["passive"], "sweep": sweep}
-    batch = service.post("/api/v1/batches", json=body).raise_for_status().json()
-    whole = batches.wait_for(service, batch["id"]), batches.rows(service, batch["id"])
-    store: Store = service.services.store
-    with store.reading() as connection:
-        of_batch = select(job_runs.c.result_key).where(job_runs.c.job_id == batch["id"], job_runs.c.position == 1)
-        key = connection.execute(of_batch).scalar_one()
-    damage(store, key)
-    meanwhile = [row["status"] for row in batches.rows(service, batch["id"])]
-    assert meanwhile == ["ok", "waiting", "ok"]
-    again = batches.wait_for(service, batch["id"]), batches.rows(service, batch["id"])
-    assert (again[0]["done"], again[0]["state"]) == (3, "done")
-    took = {"compute_ms": 0.0}
-    assert [row | took for row in again[1]] == [row | took for row in whole[1]]
 
 
 def test_the_reader_of_a_link_is_told(service: Any, fresh: dict[str, Any]) -> None:

@@ -1,6 +1,5 @@
 """Figure templates and filled figures."""
 
-import base64
 import json
 from pathlib import Path
 from typing import Any
@@ -15,6 +14,7 @@ from backend.runs.figures import OTHERS, PANELS, STAGE_FILLS, STYLES, stage_shap
 from backend.runs.series import ROWS
 from sim_core.catalogue import REFERENCES, SIGNALS
 from sim_core.strategies import STRATEGIES
+from tests.api.test_series import unpack
 
 
 def luminance(colour: str) -> float:
@@ -63,10 +63,6 @@ def test_templates_name_what_fills_them(client: httpx.Client) -> None:
         assert meta["unit"] in figure["layout"]["yaxis"]["title"]["text"], name
 
 
-def numbers(packed: dict[str, str]) -> np.ndarray:
-    return np.frombuffer(base64.b64decode(packed["bdata"]), dtype="<f4")
-
-
 @pytest.mark.parametrize("axis", ["position", "time"])
 def test_filled_figures_hold_the_runs_data(client: httpx.Client, run: dict[str, Any], axis: str) -> None:
     answer = client.get(f"/api/v1/runs/{run['id']}/figures", params={"x": axis}).json()["figures"]
@@ -78,9 +74,9 @@ def test_filled_figures_hold_the_runs_data(client: httpx.Client, run: dict[str, 
         scale = figure["layout"]["meta"]["scale"]
         for trace in figure["data"]:
             source = series["strategies"][trace["meta"]["strategy"]]
-            np.testing.assert_array_equal(numbers(trace["x"]), numbers(source[axis]))
-            expected = numbers(source[trace["meta"]["signal"]]) * np.float32(scale)
-            np.testing.assert_allclose(numbers(trace["y"]), expected, rtol=1e-6)
+            np.testing.assert_array_equal(unpack(trace["x"]), unpack(source[axis]))
+            expected = unpack(source[trace["meta"]["signal"]]) * np.float32(scale)
+            np.testing.assert_allclose(unpack(trace["y"]), expected, rtol=1e-6)
         single = client.get(f"/api/v1/runs/{run['id']}/figures/{name}", params={"x": axis})
         assert single.json() == figure
 

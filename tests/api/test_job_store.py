@@ -307,16 +307,3 @@ def test_what_was_cancelled_takes_no_more_until_it_is_resumed(store: Store, tuni
     assert (now(store).state, now(store).reason) == ("failed", "no more")
     store.jobs.resume(TUNING.id)
     assert now(store).reason is None
-
-
-def test_a_restart_drops_trials_and_begins_a_new_history(store: Store, tuning: StoredJob) -> None:
-    add(store, tuning, trial(0, 0))
-    store.jobs.advance(
-        now(store), event="restart", drop_trials=True, core_version="2", progress=TUNING.progress, done=0
-    )
-    assert store.trials.of(TUNING.id) == []
-    assert store.job_events.history(TUNING.id) == []
-    add(store, now(store), trial(0, 0))
-    assert len(store.job_events.history(TUNING.id)) == 1
-    kinds = [event.kind for event in store.job_events.of(TUNING.id, 0)]
-    assert kinds == ["state", "progress", "restart", "progress"]

@@ -72,9 +72,10 @@ def test_a_road_is_known_by_its_content_and_the_same_when_its_export_is_sent(
 def test_a_long_file_is_read_from_disk_one_of_a_client_at_a_time(
     service: Service, sent: dict[str, Any], tmp_path: Path
 ) -> None:
-    long = FILE + "# a comment\n" * 400_000
+    spool, long = service.services.settings.data_dir / "spool", FILE + "# a comment\n" * 400_000
+    others = set(spool.iterdir())  # the files of bands that other tests asked for
     assert send(service, long).json()["id"] == sent["id"]
-    assert not list((service.services.settings.data_dir / "spool").glob("*"))
+    assert set(spool.iterdir()) <= others
     tables = service.services.tables
     with tables._place("one", tmp_path), pytest.raises(TooManyRequestsError), tables._place("one", tmp_path):
         pass
@@ -88,15 +89,10 @@ def test_a_road_that_is_not_sure_is_asked_about_and_read_by_the_answers(
     asked = FILE.replace("distance [m],height [mm]", "a,b")
     problem = send(client, asked).json()
     assert problem["type"].endswith("table-unsure")
-    guesses = {question["field"]: question["guess"] for question in problem["table"]["questions"]}
-    assert guesses == {"/columns/0/means": "distance", "/columns/0/unit": "m", "/columns/1/means": "height"} | {
-        "/columns/1/unit": "mm"
-    }
+    assert [question["guess"] for question in problem["table"]["questions"]] == ["distance", "m", "height", "mm"]
     with Ridelab(str(client.base_url)) as ridelab:
-        assert (
-            ridelab.upload_road(asked.encode(), table=ridelab.describe_table(asked.encode(), {"kind": "road"}))["id"]
-            == sent["id"]
-        )
+        table = ridelab.describe_table(asked.encode(), {"kind": "road"})
+        assert ridelab.upload_road(asked.encode(), table=table)["id"] == sent["id"]
         with pytest.raises(RidelabAPIError) as unsure:
             ridelab.upload_road(asked.encode())
     assert unsure.value.table == problem["table"]

@@ -1,4 +1,4 @@
-"""OpenAPI, its page, and the answers that describe the core.
+"""OpenAPI, its page, and the files of the dashboard.
 
 `UPDATE_DOCS=1 python -m pytest tests/api/test_openapi.py` writes the page's types anew.
 """
@@ -18,13 +18,8 @@ from fastapi import FastAPI
 
 from backend import app
 from backend.http.openapi import FIELDS, FIELDS_OF_MODELS
-from backend.library.models import PresetAnswer
 from backend.settings import Settings
-from sim_core.catalogue import SIGNALS
 from sim_core.check_controller import ID
-from sim_core.scenario import SCHEMA_VERSION, Scenario
-from sim_core.scenario.data_sheet import DataSheet
-from sim_core.scenario.presets import PRESETS
 from sim_core.strategies import STRATEGIES, reads
 from tests.servers.loops import ask
 from tests.servers.process import HANG_TIMEOUT
@@ -176,7 +171,10 @@ def test_a_script_comes_compressed_where_it_was_and_who_asks_takes_it(built: Pat
 
 def test_an_unknown_address_is_a_page_to_a_browser_and_a_problem_to_a_script(built: Path) -> None:
     browser = "text/html,application/xhtml+xml,*/*;q=0.8"
-    assert ask(site(built.parent / "none"), "GET", "/").status_code == 503, "no dashboard was built"
+    none = site(built.parent / "none")
+    assert ask(none, "GET", "/").status_code == 503, "no dashboard was built"
+    for path in ("/assets/index.js", "/docs-assets/swagger-ui.css"):
+        assert ask(none, "GET", path).status_code == 404
     page = ask(site(built), "GET", "/nowhere", headers={"Accept": browser})
     assert (page.status_code, page.headers["content-type"]) == (404, "text/html; charset=utf-8")
     assert "Ridelab" in page.text
@@ -185,31 +183,8 @@ def test_an_unknown_address_is_a_page_to_a_browser_and_a_problem_to_a_script(bui
         assert (answer.status_code, answer.headers["content-type"]) == (404, "application/problem+json")
 
 
-def test_the_core_is_described_as_it_is(client: httpx.Client) -> None:
-    schema, presets, strategies, catalogue = (
-        client.get(f"/api/v1/{name}").json() for name in ("schema", "presets", "strategies", "catalogue")
-    )
-    assert schema.pop("schema_version") == SCHEMA_VERSION
-    assert schema.pop("data_sheet") == json.loads(json.dumps(DataSheet.model_json_schema()))
-    assert schema == json.loads(json.dumps(Scenario.model_json_schema()))
-    assert next(iter(PRESETS)) == "paper"
-    assert [(each.id, each.scenario) for each in map(PresetAnswer.model_validate, presets)] == [
-        (name, preset.scenario) for name, preset in PRESETS.items()
-    ]
-    assert [(each["id"], tuple(each["reads"])) for each in strategies] == [
-        (name, reads(strategy)) for name, strategy in STRATEGIES.items()
-    ]
-    assert {each["key"]: each["unit"] for each in catalogue["signals"]} == {
-        key: quantity.unit for key, quantity in SIGNALS.items()
-    }
-
-
-def test_health(client: httpx.Client) -> None:
-    assert client.get("/healthz").json() == {"status": "ok"}
-    assert client.get("/readyz").json() == {
-        "status": "ready",
-        "store": True,
-        "workers": True,
-        "reason": None,
-        "controllers": {},
-    }
+def test_each_strategy_says_which_fields_it_reads(client: httpx.Client) -> None:
+    """That schema, catalogue, presets and vehicles are the core's is in tests/client/test_in_process.py."""
+    answered = client.get("/api/v1/strategies").json()
+    expected = {name: list(reads(strategy)) for name, strategy in STRATEGIES.items()}
+    assert {each["id"]: each["reads"] for each in answered if not each["own"]} == expected

@@ -10,7 +10,7 @@ import pytest
 
 from backend.custom_controllers import registry
 from backend.fmu.archive import fmu
-from sim_core import Scenario, load_controllers, simulate
+from sim_core import Scenario, simulate
 from tests.api.conftest import Service
 from tests.api.own_laws import BY_STAGE, LAW, SCENARIO, driven, own, told_of
 from tests.importer import Importer
@@ -87,25 +87,6 @@ def test_a_file_is_a_strategy_and_a_saved_one_another_law(service: Service, fold
     assert len(service.get(f"{address}/figures").json()["figures"]["road"]["data"]) == 1
     file.write_text(named("saved"))
     assert driven(service, ["saved"])["saved"] == {**outcome, "cached": True}
-
-
-def test_who_looks_ahead_has_a_result_of_its_own_for_each_error_of_the_sensors(service: Service, folder: Path) -> None:
-    """Its preview is a plain attribute. Those that look nowhere ahead have one result for all of them."""
-    file = folder / "ahead.py"
-    looks = named("ahead", "return 8000.0 * (seen.preview[0] - seen.preview[9]) - 2000.0 * seen.state[4]")
-    file.write_text(looks.replace("    damping", '    preview, prediction_horizon = "lookahead", 20\n    damping', 1))
-    kind, seen = load_controllers(file)["ahead"], list[float]()
-    driven(service, ["mine"])
-    for gain in (1, 0, 2):
-        scenario = {**SCENARIO, "mismatch": {"preview_gain": gain}}
-        outcomes = driven(service, ["ahead", "mine"], scenario)
-        assert (outcomes["ahead"]["cached"], outcomes["mine"]["cached"]) == (False, True)
-        expected = simulate(Scenario.model_validate(scenario), kind).comfort["weighted_rms"]
-        assert outcomes["ahead"]["comfort"]["weighted_rms"] == expected
-        seen.append(expected)
-    assert len(set(seen)) == 3
-    assert {"mismatch.preview_gain", "mismatch"} & set(own(service)["ahead"]["reads"])
-    assert not {"mismatch.preview_gain", "mismatch", "estimation"} & set(own(service)["mine"]["reads"])
 
 
 def test_whatever_leaves_names_the_laws_file_and_digest(service: Service, folder: Path) -> None:

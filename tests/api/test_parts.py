@@ -5,15 +5,11 @@ import os
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
-import httpx
-from fastapi import FastAPI
 from hypothesis import given
 from hypothesis import strategies as st
 
 from backend import digest
-from backend.api.site import add_site
 from sim_core import Scenario
 
 
@@ -51,12 +47,3 @@ def test_equal_numbers_have_one_canonical_form_and_others_another(value: float) 
     other = math.nextafter(value, math.inf)
     if math.isfinite(other) and other != value:
         assert digest.canonical([value]) != digest.canonical([other])
-
-
-def test_what_is_not_built_is_not_found(service: Any, tmp_path: Path) -> None:
-    app = FastAPI()
-    add_site(app, tmp_path / "dist", tmp_path / "manual")
-    transport = httpx.ASGITransport(app)
-    client = httpx.AsyncClient(transport=transport, base_url="http://site")
-    for address in ("/manual/", "/manual/index.html", "/assets/index.js", "/docs-assets/swagger-ui.css"):
-        assert service.inside(client.get(address)).status_code == 404, address

@@ -30,9 +30,9 @@ def check(response: httpx.Response, status: int, kind: str) -> Problem:
     for name, value in HEADERS.items():
         assert response.headers[name] == value
     assert response.headers["cache-control"] == "no-store"
+    assert "server" not in response.headers
     problem = Problem.model_validate(response.json())
-    assert problem.status == status
-    assert problem.title
+    assert (problem.status, problem.request_id) == (status, response.headers["x-request-id"])
     assert problem.detail
     assert problem.type == f"urn:problem-type:ridelab:{kind}"
     assert problem.title == KINDS[kind].title

@@ -117,16 +117,12 @@ def test_a_recording_is_held_to_requirements(service: Service, shown: dict[str, 
 
 
 @pytest.mark.parametrize(
-    ("content", "query", "said"),
-    [
-        ("time [s],body_acceleration [m/s^2]\n", {"columns": "[]"}, "This has to be JSON"),
-        ("time [s],body_acceleration [m/s^2]\n", {"table": "[]"}, "This has to be a JSON object"),
-        ("", {}, "There are no rows of numbers in this file"),
-        ("time [s],acc z [g]\n0,1\n1,2\n", {"columns": '{"acc q": "speed [m/s]"}'}, "there is no column of this title"),
-    ],
+    ("query", "said"),
+    [({"columns": "[]"}, "This has to be JSON"), ({"table": "[]"}, "This has to be a JSON object")],
 )
-def test_what_is_no_recording_is_refused(client: httpx.Client, content: str, query: dict[str, str], said: str) -> None:
-    answer = send(client, content, **query)
+def test_a_description_of_columns_is_json(client: httpx.Client, query: dict[str, str], said: str) -> None:
+    """What is no table is in tests/unit/test_tables.py."""
+    answer = send(client, recorded(*SENT), **query)
     assert answer.status_code == 422
     assert said in answer.json()["errors"][0]["message"]
 

@@ -8,12 +8,12 @@ from dataclasses import replace
 from typing import Any
 
 import httpx
-import numpy as np
 import plotly.graph_objects as go
 import pytest
 
 from backend.runs.figures import PANELS
 from sim_core.catalogue import METRIC_SIGNALS
+from tests.api.test_series import unpack
 from tests.html import Element, check, read
 
 CELL = "bump.body_acceleration.peak"
@@ -132,7 +132,7 @@ def test_its_figures_are_the_runs(client: httpx.Client, page: Element, run: dict
 
 
 def points(trace: dict[str, Any]) -> list[tuple[float, float]]:
-    x, y = (np.frombuffer(base64.b64decode(trace[letter]["bdata"]), dtype="<f4").tolist() for letter in "xy")
+    x, y = (unpack(trace[letter]).tolist() for letter in "xy")
     return list(zip(x, y, strict=True))
 
 

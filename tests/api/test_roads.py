@@ -131,17 +131,6 @@ def test_changes_are_refused_against_other_roads(
     check_refused(service, "roads_refusals", asked, THREE=three["id"], ONE=one, OTHER=other)
 
 
-def test_more_roads_compute_only_what_is_new(service: Any, three: dict[str, Any], scenario: dict[str, Any]) -> None:
-    stored = service.get(f"/api/v1/runs/{three['id']}").json()
-    before = {name: entry["compute_ms"] for name, entry in stored["strategies"].items()}
-    four = post(service, scenario=scenario, strategies=["lqr", "passive"], roads=4).json()
-    assert not any(entry["cached"] for entry in four["strategies"].values())
-    fourth = {"road": {**scenario["road"], "seed": SEED + 3}}
-    last = post(service, scenario=fourth, strategies=["lqr", "passive"]).json()["strategies"]
-    for name, entry in four["strategies"].items():
-        assert entry["compute_ms"] == pytest.approx(before[name] + last[name]["compute_ms"])
-
-
 def test_a_failure_on_one_road_is_the_strategys_and_names_the_seed(service: Service, lqr_fails: int) -> None:
     scenario = {"road": {"length": 131.7, "seed": lqr_fails - 1}}
     answer = post(service, scenario=scenario, strategies=["lqr", "passive"], roads=3, baseline="lqr").json()

@@ -151,13 +151,3 @@ def test_a_rule_base_of_its_own_changes_those_that_slow_down_and_comes_back_as_i
     assert "fuzzy.rules=" in report
     again = service.run(["speed_only"], {"fuzzy": stored}).json()
     assert again["strategies"]["speed_only"]["cached"] is True
-
-
-@pytest.mark.parametrize(
-    ("policy", "expected"), [("by_strategy", [["lqr", "lv"], ["passive"]]), ("planned", [["lqr", "lv", "passive"]])]
-)
-def test_strategies_of_one_speed_plan_share_a_worker(
-    service: Service, unseen: dict[str, Any], worker_calls: list[Any], policy: str, expected: list[list[str]]
-) -> None:
-    service.run(["lv", "lqr", "passive"], unseen | {"speed": {"policy": policy}}).raise_for_status()
-    assert sorted(sorted(keys) for _, _, keys, *_ in worker_calls) == expected

@@ -21,6 +21,7 @@ from backend.store import Store, StoredLink, StoredRun
 from tests.data import release
 from tests.servers.postgres import Postgres
 from tests.servers.process import HANG_TIMEOUT
+from tests.there import there
 
 OpenStore = Callable[[], Store]
 
@@ -54,9 +55,7 @@ def save(store: Store, run_id: str, *keys: str) -> StoredRun:
 
 def saved_run(store: Store, run: StoredRun) -> StoredRun:
     store.runs.save(run)
-    saved = store.runs.load(run.id)
-    assert saved is not None
-    return saved
+    return there(store.runs.load(run.id))
 
 
 def run_of(run_id: str, items: list[Outcome], version: int = 1) -> StoredRun:
@@ -120,12 +119,12 @@ def test_a_database_of_0_4_0_has_the_schema_of_a_new_one_and_keeps_every_row(
     with store.reading() as connection:
         now = release.dump(connection)
     assert now.keys() == metadata.tables.keys()
-    for table, there in now.items():
+    for table, stored in now.items():
         for row in release.content()["tables"].get(table, ()):
             if table == "results" and row["status"] == "failed":
                 continue  # the machine may have been to blame: it is computed again
-            same = {name: value for name, value in row.items() if name in there[0]}
-            assert any(same.items() <= each.items() for each in there), (table, row)
+            same = {name: value for name, value in row.items() if name in stored[0]}
+            assert any(same.items() <= each.items() for each in stored), (table, row)
 
 
 def test_migrating_again_and_from_many_processes_changes_nothing(open_store: OpenStore) -> None:

@@ -18,9 +18,9 @@ from sqlalchemy import make_url
 
 from backend.command_error import CommandError
 from backend.db.backup import back_up
-from backend.outcome import Outcome
 from backend.settings import Settings
-from backend.store import Store, StoredRun
+from backend.store import Store
+from tests.api.test_store import save
 from tests.client.cli import Cli
 from tests.servers.postgres import Postgres, program
 from tests.servers.process import wait_until
@@ -30,22 +30,6 @@ PAGE_SIZE = 4096
 PAGE = (ROOT / "docs/how-to/operations.md").read_text()
 
 Backup = Callable[..., str]
-
-
-def save(store: Store, run_id: str) -> StoredRun:
-    result = Outcome(key=f"of {run_id}", strategy="lv", status="ok", json='{"a":"ä"}'.encode(), compute_ms=2.0)
-    store.runs.save(
-        StoredRun(
-            id=run_id,
-            core_version="1",
-            schema_version=1,
-            scenario={"road": {"profile": None}},
-            by_strategy={"lv": [result]},
-        )
-    )
-    run = store.runs.load(run_id)
-    assert run is not None
-    return run
 
 
 def damaged(database: Path) -> bytes:
@@ -80,13 +64,13 @@ def backup(tmp_path: Path, capfdbinary: pytest.CaptureFixture[bytes], monkeypatc
 
 
 def test_a_copy_of_sqlite_under_writes_is_a_whole_database(sqlite_store: Store, tmp_path: Path, backup: Backup) -> None:
-    save(sqlite_store, "before")
+    save(sqlite_store, "before", "a")
     copied = threading.Event()
 
     def write() -> int:
         written = 0
         while not copied.is_set():
-            save(sqlite_store, f"beside-{written}")
+            save(sqlite_store, f"beside-{written}", "a")
             written += 1
         return written
 
@@ -116,7 +100,7 @@ def refusal(**settings: Any) -> str:
 
 
 def test_no_copy_is_half_and_none_is_lost(sqlite_store: Store, tmp_path: Path, backup: Backup) -> None:
-    save(sqlite_store, "before")
+    save(sqlite_store, "before", "a")
     sqlite_store.close()
     (tmp_path / "copy.sqlite").write_text("older")
     assert "is there already; --force replaces it" in backup(code=2)
@@ -137,7 +121,7 @@ def test_no_copy_is_half_and_none_is_lost(sqlite_store: Store, tmp_path: Path, b
     backup("--force")
     with closing(Store(f"sqlite:///{tmp_path}/copy.sqlite")) as copy:
         assert copy.runs.load("before") is not None
-        assert len(copy.runs.load_results(["of before"])) == 1
+        assert len(copy.runs.load_results(["a"])) == 1
     assert {path.name for path in tmp_path.iterdir()} == {"data", "copy.sqlite"}
 
 
@@ -146,7 +130,7 @@ def test_a_dump_of_postgresql_brings_everything_back(postgres: Postgres, tmp_pat
     environment = {**os.environ, "PGPASSWORD": str(url.password), "PGHOST": str(url.host), "PGPORT": str(url.port)}
     store = Store(url.render_as_string(hide_password=False))
     store.migrate()
-    saved = save(store, "before")
+    saved = save(store, "before", "a")
 
     def run(words: list[str]) -> None:
         here = [str(url.database) if word == "ridelab" else word for word in words]
@@ -155,11 +139,11 @@ def test_a_dump_of_postgresql_brings_everything_back(postgres: Postgres, tmp_pat
 
     dump = documented("pg_dump -h")
     run([word for word in dump if word not in ("-h", "HOST")])
-    save(store, "after")
+    save(store, "after", "a")
     restore = documented("docker compose exec -T database pg_restore")
     begin, end = restore.index("pg_restore"), restore.index("<")
     run([*restore[begin:end], restore[-1]])
     assert store.runs.load("before") == saved
     assert store.runs.load("after") is None
-    save(store, "after")
+    save(store, "after", "a")
     store.close()

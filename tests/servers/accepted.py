@@ -21,6 +21,7 @@ class Accepted:
         database: Where it is looked at from outside.
         seed: Same seed, same batches.
         runs: Of each batch; an even number.
+        strategies: The two that drive.
         batches: How many runs each has, by its id.
         trials: Of tunings that were submitted beside them.
         stored: Rows of results by key, as they were first seen.
@@ -30,6 +31,7 @@ class Accepted:
     database: str
     seed: int
     runs: int
+    strategies: tuple[str, str] = ("lv", "passive")
     batches: dict[str, int] = field(default_factory=dict)
     trials: dict[str, Any] = field(default_factory=dict)
     stored: dict[str, Any] = field(default_factory=dict)
@@ -43,7 +45,7 @@ class Accepted:
         number, runs = len(self.batches), runs or self.runs
         ranges = {"road.bump.height": [0.02, 0.12]}
         sweep = {"latin_hypercube": {"ranges": ranges, "samples": runs // 2, "seed": number}}
-        body = {"scenario": {"road": {"length": 126.0}}, "strategies": ["lv", "passive"], "sweep": sweep}
+        body = {"scenario": {"road": {"length": 126.0}}, "strategies": self.strategies, "sweep": sweep}
         key = {"Idempotency-Key": f"accepted-{self.seed}-{next(_counter)}"}
         batch_id = str(ask(self.url, "POST", "/batches", json=body, headers=key)["id"])
         self.batches[batch_id] = runs
