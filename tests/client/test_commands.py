@@ -3,13 +3,13 @@
 import csv
 import io
 import json
+import shlex
 from pathlib import Path
 from typing import Any
 
 import httpx
 import pytest
 
-from backend.batches.robustness import UNCERTAINTIES
 from backend.http.problem_types import KINDS
 from backend.runs.instants import as_answer
 from backend.runs.reports import inputs
@@ -18,6 +18,7 @@ from sim_core.catalogue import METRICS
 from sim_core.instant import instant
 from sim_core.scenario import Scenario, dotted
 from sim_core.scenario.vehicles import VEHICLES
+from tests import wording
 from tests.client.cli import Cli
 from tests.client.conftest import ADDRESS, RUN, SHORT, SLUG, Prepared
 
@@ -199,29 +200,6 @@ def test_jobs_are_shown_followed_stopped_and_removed(cli: Cli, prepared: Prepare
     cli("jobs", "show", "A" * 22, code=2)
 
 
-def test_what_a_tuning_is_asked_for(cli: Cli, prepared: Prepared) -> None:
-    tuning = prepared.job("tuning")
-    words = ("--strategy", "lqr", "--trials", "8", "--population", "4", "--seeds", "1-2", "--fresh", "11,12-13")
-    objectives = ("--objective", "peaks@whole:1,2,1", "--objective", "bump.front_tyre_load.peak")
-    printed = cli("tune", *words, *objectives, "--limit", "comfort.actuator_peak_power=50000", "--detach")
-    assert printed == f"{tuning}\n"
-    (asked,) = prepared.bodies("POST /tunings")
-    assert asked.pop("scenario")
-    assert asked == {
-        "strategy": "lqr",
-        "seed": 0,
-        "objectives": [
-            {"kind": "peaks", "window": "whole", "q": [1, 2, 1]},
-            {"kind": "figure", "figure": "bump.front_tyre_load.peak"},
-        ],
-        "limits": [{"figure": "comfort.actuator_peak_power", "at_most": 50000}],
-        "trials": 8,
-        "population": 4,
-        "seeds": [1, 2],
-        "fresh_seeds": [11, 12, 13],
-    }
-
-
 def test_a_tuning_that_is_done_is_shown_again_or_goes_on(cli: Cli, prepared: Prepared) -> None:
     best = {"number": 3, "weights": {"lqr.weights": [2, 1, 1]}}
     tuning = prepared.job("tuning", best=[best], knee=None, scenario=SHORT)
@@ -244,16 +222,17 @@ def test_where_nothing_keeps_the_limits_the_exit_code_is_1(cli: Cli, prepared: P
     assert cli.error == "No value.\n"
 
 
-def test_a_robustness_study_is_a_sweep_of_what_is_uncertain(cli: Cli, prepared: Prepared) -> None:
-    batch = prepared.job("batch")
+@pytest.mark.parametrize("words", wording.asked_in("sent"))
+@pytest.mark.usefixtures("scenario")
+def test_what_is_typed_is_what_a_service_is_asked_for(cli: Cli, prepared: Prepared, words: str) -> None:
+    """Values and limits are in the units of their fields; a robustness study is a sweep of what is uncertain."""
+    Path("claims.json").write_text(json.dumps([{"metric": "events.airborne_ms", "max": 0}]))
+    batch, tuning = prepared.job("batch"), prepared.job("tuning")
     prepared.answers[f"GET /batches/{batch}/summary"] = {"batch": batch}
-    words = "robustness --samples 12 --strategy lv,passive --exact road.seed --range mismatch.damping=0.5:1.5 --json"
-    assert json.loads(cli(*words.split())) == {"batch": batch}
-    (asked,) = prepared.bodies("POST /batches")
-    cube = asked["sweep"]["latin_hypercube"]
-    assert (asked["strategies"], cube["samples"]) == (["lv", "passive"], 12)
-    assert cube["ranges"]["mismatch.damping"] == [0.5, 1.5]
-    assert cube["ranges"].keys() == {each.field for each in UNCERTAINTIES} - {"road.seed"}
+    printed = cli(*shlex.split(words))
+    assert batch in printed or tuning in printed
+    (asked,) = (body for name, body in prepared.asked if name in ("POST /batches", "POST /tunings"))
+    wording.check("sent", words, asked)
 
 
 def test_the_papers_count_is_asked_for_by_readings_and_seeds(cli: Cli, prepared: Prepared, tmp_path: Path) -> None:

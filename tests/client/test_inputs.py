@@ -1,4 +1,4 @@
-"""Values typed on the command line, and differences between two runs; no service needed."""
+"""Differences between two runs, files, and addresses that are typed on the command line; no service needed."""
 
 import json
 import subprocess
@@ -16,11 +16,8 @@ from ridelab.cli.names import Names
 from ridelab.cli.reporting import InputError, show_table
 from ridelab.cli.service import Services
 from ridelab.cli.targets import find
-from ridelab.fields import units_of
 from sim_core.scenario import Estimation, Scenario
 from tests import wording
-
-UNITS = units_of(Scenario.model_json_schema())
 
 
 @pytest.fixture
@@ -28,35 +25,6 @@ def services(ridelab: Ridelab) -> Services:
     services = Services(None, None)
     services.names = Names.of(ridelab)
     return services
-
-
-def test_changes_are_set_in_what_is_given(services: Services) -> None:
-    scenario_json = {"road": {"length": 130}}
-    changes = {
-        "road.bump.height": "12 cm",
-        "speed.initial_speed_kmh": "10m/s",
-        "road.seed": "4",
-        "mpc.preview": "none",
-        "mpc.stage_weights.cruise": "1,2,3",
-        "mpc.stage_weights.brake.1 ": " 5",
-        "lqr.weights": "1 1 6",
-        "actuator.bandwidth": "null",
-        "vehicle.tyre_lift_off": "1",
-        "hook.semi_active": "off",
-        "vehicle.front_damper_curve": "[[-1, -500], [1, 900]]",
-        "fuzzy.rules": '[{"if": {"distance": "O"}, "then": "V"}]',
-    }
-    changed = fields.changed(scenario_json, [f"{name}={text}" for name, text in changes.items()], services)
-    scenario = Scenario.model_validate(changed)
-    assert (scenario.road.length, scenario.road.bump.height, scenario.road.seed) == (130, 0.12, 4)
-    assert scenario.speed.initial_speed_kmh == 36
-    assert (scenario.mpc.stage_weights.cruise, scenario.lqr.weights) == ((1, 2, 3), (1, 1, 6))
-    assert [rule.then for rule in scenario.fuzzy.rules or ()] == ["V"]
-    assert [force for _, force in scenario.vehicle.front_damper_curve or ()] == [-500, 900]
-    assert (scenario.mpc.stage_weights.brake, scenario.actuator.bandwidth) == ((2, 5, 1), None)
-    assert scenario.mpc.preview == "none"
-    assert (scenario.vehicle.tyre_lift_off, scenario.hook.semi_active) == (True, False)
-    assert scenario_json == {"road": {"length": 130}}
 
 
 @pytest.mark.parametrize(
@@ -74,22 +42,6 @@ def test_a_measured_road_that_is_chosen_brings_its_length(
 ) -> None:
     """None is no length: the service's answer has the road's."""
     assert fields.changed({"road": road}, changes, services, swept)["road"].get("length") == length
-
-
-def test_sweeps() -> None:
-    grid = {
-        "road.bump.height": ("5cm:150mm:5", [0.05, 0.075, 0.1, 0.125, 0.15]),
-        "road.bump.width": ("0, 10cm, 50mm", [0, 0.1, 0.05]),
-        "road.seed": ("1:5:3", [1, 3, 5]),
-        "vehicle.tyre_lift_off": ("0,True", [False, True]),
-        "mpc.preview": ("lookahead,none", ["lookahead", "none"]),
-        "mpc.stage_weights.cruise": ("[8,1,1],[2,6,1]", [[8, 1, 1], [2, 6, 1]]),
-    }
-    parsed = fields.grid_of([f"{name}={text}" for name, (text, _) in grid.items()], UNITS)
-    assert parsed == {name: values for name, (_, values) in grid.items()}
-    assert all(isinstance(value, int) for value in parsed["road.seed"])
-    ranges = fields.ranges_of(["road.bump.height=5cm:10 cm", "road.seed=1:9"], "--range", UNITS)
-    assert ranges == {"road.bump.height": [0.05, 0.1], "road.seed": [1, 9]}
 
 
 @pytest.fixture

@@ -33,21 +33,6 @@ def judged(prepared: Prepared, outcomes: dict[str, dict[str, Any]]) -> None:
     prepared.answers["POST /runs"] = answer
 
 
-def test_what_is_typed_is_sent_in_the_metrics_own_unit(cli: Cli, prepared: Prepared, tmp_path: Path) -> None:
-    file = tmp_path / "claims.json"
-    file.write_text(json.dumps([{"metric": "events.airborne_ms", "max": 0}]))
-    texts = [f"{PEAK}<=1g", "lv,passive: travel_time > 0.1 min", f"{PEAK}<-20%", "comfort.weighted_rms<.5", str(file)]
-    required = [word for text in texts for word in ("--require", text)]
-    cli("run", "-s", "lv,passive", *required, code=1)
-    assert prepared.bodies("POST /runs")[0]["requirements"] == [
-        {"metric": PEAK, "max": 9.80665},
-        {"metric": "travel_time", "min": 6, "strategies": ["lv", "passive"]},
-        {"metric": PEAK, "max_change": -20},
-        {"metric": "comfort.weighted_rms", "max": 0.5},
-        {"metric": "events.airborne_ms", "max": 0},
-    ]
-
-
 def test_the_exit_code_is_1_where_one_fails_and_uncertain_fails_with_strict(
     cli: Cli, outcomes: dict[str, dict[str, Any]], tmp_path: Path
 ) -> None:
