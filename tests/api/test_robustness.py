@@ -6,9 +6,7 @@ import httpx
 import pytest
 
 from backend.batches.models import BatchSummary
-from backend.batches.robustness import FIGURES, UNCERTAINTIES
-from backend.batches.summary_models import RobustnessDefaults
-from sim_core.scenario import dotted
+from backend.batches.robustness import FIGURES
 from tests.servers.batches import computed
 
 # Nobody else's, so that nothing is stored yet; short, so that it is quick.
@@ -78,19 +76,3 @@ def test_the_nominal_values_are_those_of_the_batchs_own_scenario(client: httpx.C
                 value = value[step]
             # Another process: the blocks a law is computed in may differ in their last bits.
             assert figure["nominal"] == pytest.approx(value, rel=1e-9, abs=1e-9), key
-
-
-def test_the_defaults_are_ranges_that_a_batch_takes(client: httpx.Client) -> None:
-    usual = client.get("/api/v1/robustness").json()
-    RobustnessDefaults.model_validate(usual)
-    assert len(usual["ranges"]) == len(UNCERTAINTIES)
-    for each in usual["ranges"]:
-        field = dotted.field(each["field"])
-        assert field.unit == each["unit"]
-        for end in (each["low"], each["high"]):
-            field.checked(int(end) if field.kind == "integer" else end)
-    ranges = {each["field"]: [each["low"], each["high"]] for each in usual["ranges"]}
-    sweep = {"latin_hypercube": {"ranges": ranges, "samples": usual["samples"]}}
-    body = {"scenario": BASE, "strategies": usual["strategies"], "sweep": sweep, "dry_run": True}
-    estimate = client.post("/api/v1/batches", json=body).json()
-    assert (estimate["points"], estimate["contradictory"]) == (usual["samples"], 0)
