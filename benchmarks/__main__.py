@@ -1,12 +1,8 @@
 """Print every figure, the core's, then the service's; or only those of the parts that are named."""
 
 import argparse
-import os
 
-for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
-    os.environ.setdefault(_name, "1")  # before numpy loads: one core for both sides of every ratio
-
-from benchmarks import acceptance, api_latency, batches, core, first_view, path  # noqa: E402 - after the thread limits above
+from benchmarks import acceptance, api_latency, batches, core, first_view, path
 
 PARTS = {
     "core": core.run,

@@ -1,4 +1,4 @@
-"""Batches: the service's rate on two cores against the core's own, its memory, small batches and what-ifs meanwhile."""
+"""Batches: the service's rate on two cores against the core's own, small batches and what-ifs meanwhile."""
 
 import multiprocessing
 import os
@@ -49,17 +49,14 @@ def run() -> None:
     with spawn.Pool(1, initializer=os.nice, initargs=(BATCH_NICE,)) as alone, server() as client:
         idle, small_alone = _what_if(client, 100_000), _small_batch(client, 4)
         before = alone.apply(core_rate, (2,))
-        rate, processor, memory = _measured(client, 2)
+        rate, processor = _measured(client, 2)
         core, own = ((one + other) / 2 for one, other in zip(before, alone.apply(core_rate, (2,)), strict=True))
         table(
             f"{MANY} LV runs stored, and one process that only computes such runs, before and after",
-            ["", "runs/s", "processor ms a run", "memory at most, MiB"],
-            [["the service on two cores", rate, processor, memory], ["one process", core, own, ""]],
+            ["", "runs/s", "processor ms a run"],
+            [["the service on two cores", rate, processor], ["one process", core, own]],
         )
-        print(
-            f"  the service is {rate / core:.2f} times as fast as one process (goal: at least 1.9), by processor time"
-        )
-        print(f"  {2 * own / processor:.2f} times")
+        print(f"  the service is {rate / core:.2f} times as fast as one process (goal: at least 1.9)")
         with _going_on(client):
             busy, small_beside = _what_if(client, 200_000), _small_batch(client, 5)
     rows = [
@@ -69,35 +66,23 @@ def run() -> None:
     table(f"Beside {MANY} runs that go on, medians", ["", "alone, ms", "beside, ms", "ratio"], rows)
 
 
-def _measured(client: httpx.Client, seed: int) -> tuple[float, float, float]:
-    """Return the runs a second of a large batch, the processor time of a run [ms] and the most memory [MiB]."""
+def _measured(client: httpx.Client, seed: int) -> tuple[float, float]:
+    """Return the runs a second of a large batch, and the processor time of a run [ms]."""
     (server_process,) = [each for each in psutil.Process().children() if "backend" in " ".join(each.cmdline())]
     batch = _submitted(client, seed)
-    processor, memory = _processor_seconds(server_process), 0.0
+    processor = _processor_seconds(server_process)
     while batch["state"] != "done":
         time.sleep(1)
-        memory = max(memory, _memory(server_process))
         batch = client.get(f"/api/v1/batches/{batch['id']}").json()
     begin, end = (datetime.fromisoformat(batch[name]) for name in ("started_at", "finished_at"))
     spent = 1000 * (_processor_seconds(server_process) - processor) / MANY
-    return MANY / (end - begin).total_seconds(), spent, memory
+    return MANY / (end - begin).total_seconds(), spent
 
 
 def _processor_seconds(service: psutil.Process) -> float:
     """Return what the service and its processes have used."""
     times = [process.cpu_times() for process in (service, *service.children(recursive=True))]
     return float(sum(each.user + each.system for each in times))
-
-
-def _memory(service: psutil.Process) -> float:
-    """Return the memory of the service and its processes [MiB]."""
-    total = 0
-    for process in (service, *service.children(recursive=True)):
-        try:
-            total += process.memory_full_info().pss
-        except psutil.NoSuchProcess:
-            continue
-    return total / 2**20
 
 
 def _submitted(client: httpx.Client, seed: int) -> dict[str, Any]:

@@ -1,8 +1,7 @@
-"""The core: against the plain loop, by strategy, and linear against nonlinear cars."""
+"""The core: against the plain loop and by strategy."""
 
 from collections.abc import Callable
 from statistics import median
-from time import process_time
 
 import numpy as np
 
@@ -12,7 +11,6 @@ from benchmarks.timing import median_ms, table
 from sim_core import Scenario
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.frequency.responses import frequency_response
-from sim_core.instant import instant
 from sim_core.scenario.presets import preset
 from sim_core.simulate import simulate
 
@@ -23,9 +21,6 @@ PAPER = preset("paper")
 def changed(scenario: Scenario, part: str, **fields: object) -> Scenario:
     """Return the scenario with fields of one part replaced."""
     return scenario.model_copy(update={part: getattr(scenario, part).model_copy(update=fields)})
-
-
-NONLINEAR = changed(PAPER, "vehicle", rebound_ratio=2.5, bump_stop_clearance=0.06, tyre_lift_off=True)
 
 
 def new_roads(scenario: Scenario, count: int, first_seed: int) -> list[Scenario]:
@@ -72,49 +67,20 @@ def against_plain_loop() -> None:
 
 
 def by_strategy() -> None:
-    """Print each strategy and three together: all of it new, on a new road, the same again."""
+    """Print each strategy and three together: on a new road, the same again."""
     rows, seed = [], 2000
     for names in (("passive",), ("speed_only",), ("lqr",), ("suspension_only",), ("lv",), TOGETHER):
-        others = [
-            changed(changed(scenario, "vehicle", body_mass=1300.0 + i), "speed", target_speed_kmh=24 + i / 100)
-            for i, scenario in enumerate(new_roads(PAPER, 7, seed + 50))
-        ]
-        all_new = median_ms(runs(*names), others)
         new, again = median_ms(runs(*names), new_roads(PAPER, 7, seed)), median_ms(runs(*names), [PAPER] * 7)
-        rows.append([" + ".join(names), all_new, new, again])
+        rows.append([" + ".join(names), new, again])
         seed += 100
-    head = ["", "car, speed and road new", "new road", "same again"]
-    table("Milliseconds a run (imports apart)", head, rows)
-
-
-def by_linearity() -> None:
-    """Print the paper's car against one with unequal dampers, stops and tyres that lift off, in turn on new roads."""
-    rows: list[list[str | float]] = []
-    for seed, name in enumerate(("passive", "lqr", "lv")):
-        times: list[list[float]] = [[], []]
-        for first in range(31):
-            for car, spent in zip((PAPER, NONLINEAR), times, strict=True):
-                scenario = changed(car, "road", seed=4000 + 100 * seed + first)
-                begin = process_time()
-                simulate(scenario, name)
-                spent.append(1000 * (process_time() - begin))
-        linear, nonlinear = map(median, times)
-        rows.append([name, linear, nonlinear, nonlinear / linear])
-    table("Linear and nonlinear car", ["", "linear, ms", "nonlinear, ms", "ratio"], rows)
+    table("Milliseconds a run (imports apart)", ["", "new road", "same again"], rows)
 
 
 def questions() -> None:
-    """Print frequency responses with weights that nothing is kept for, and instants under a moving cursor."""
+    """Print frequency responses with weights that nothing is kept for."""
     cases = [changed(PAPER, "mpc", force_weight=PAPER.mpc.force_weight * (1 + i / 1000)) for i in range(1, 22)]
     time = median_ms(lambda scenario: [frequency_response(scenario, name) for name in TOGETHER], cases)
     print(f"\nFrequency responses, modes and margins of {', '.join(TOGETHER)}: {time:.0f} ms (goal: under 30)")
-    instant(PAPER, "lv", position=PAPER.road.bump.start)
-    spent = []
-    for place in range(101):
-        begin = process_time()
-        instant(PAPER, "lv", position=PAPER.road.bump.start - 5 + place / 10)
-        spent.append(1000 * (process_time() - begin))
-    print(f"An instant of LV under a moving cursor: {median(spent):.1f} ms, the slowest {max(spent):.1f}")
 
 
 def run() -> None:
@@ -122,5 +88,4 @@ def run() -> None:
     keep_freed_memory()  # as a worker does
     against_plain_loop()
     by_strategy()
-    by_linearity()
     questions()

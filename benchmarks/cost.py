@@ -4,26 +4,22 @@ tests/drill/test_cost.py prints the quantiles of real cost over estimate and hol
 """
 
 import multiprocessing
-import os
 import resource
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, cast, get_args
 
-for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
-    os.environ.setdefault(_name, "1")
+import numpy as np
+from pydantic import BaseModel, ValidationError
+from pydantic.fields import FieldInfo
 
-import numpy as np  # noqa: E402 - after the thread limits
-from pydantic import BaseModel, ValidationError  # noqa: E402 - after the thread limits
-from pydantic.fields import FieldInfo  # noqa: E402 - after the thread limits
-
-from backend.compute.memory import keep_freed_memory  # noqa: E402 - after the thread limits
-from backend.cost.affordable import simulate  # noqa: E402 - after the thread limits
-from backend.cost.estimate import estimate  # noqa: E402 - after the thread limits
-from benchmarks.timing import table  # noqa: E402 - after the thread limits
-from sim_core.errors import TooExpensiveError  # noqa: E402 - after the thread limits
-from sim_core.scenario import Scenario  # noqa: E402 - after the thread limits
-from sim_core.strategies import STRATEGIES  # noqa: E402 - after the thread limits
+from backend.compute.memory import keep_freed_memory
+from backend.cost.affordable import simulate
+from backend.cost.estimate import estimate
+from benchmarks.timing import table
+from sim_core.errors import TooExpensiveError
+from sim_core.scenario import Scenario
+from sim_core.strategies import STRATEGIES
 
 JUDGED = 101  # seed of the draws
 Draw = Callable[[FieldInfo, np.random.Generator], Any]  # a value of a field

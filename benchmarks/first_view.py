@@ -1,10 +1,9 @@
 """What a visitor waits for, in headless Chromium against a service that runs: curves, a dragged value, many runs."""
 
-import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from statistics import median
+from statistics import median, quantiles
 from time import perf_counter, sleep
 from typing import Any
 
@@ -38,7 +37,7 @@ def run() -> None:
         longest = arrival(browser, client)
         browser.close()
     size, taken = (median(column) for column in zip(*first, strict=True))
-    slowest = percentile(redraws, 0.95)
+    slowest = quantiles(redraws, n=20)[-1]
     table(
         "The page in Chromium",
         ["", "measured", "goal"],
@@ -129,8 +128,3 @@ def redraw_times(seen: dict[str, list[Any]]) -> list[float]:
         if drawn is not None:
             times.append(drawn - moved)
     return times
-
-
-def percentile(values: list[float], part: float) -> float:
-    """The smallest value that this part of them does not exceed."""
-    return sorted(values)[math.ceil(part * len(values)) - 1]

@@ -4,7 +4,6 @@ The service runs in a process of its own under `sys.setprofile`, in all its thre
 counted. Each flow is asked for several times, and what counts is what every time enters, from the request until the
 service is at rest again: so what the service does by itself now and then is left out. Functions are told apart by the
 place of their definition; lambdas, comprehensions and module bodies are not counted.
-`python -m benchmarks.path FOLDER FILE`, with an empty folder, writes each flow's functions into the file.
 """
 
 import contextlib
@@ -35,7 +34,6 @@ REST = 0.15  # after an answer the service comes to rest within this time [s]
 POLL_INTERVAL = 0.05  # of a batch [s]
 NO_FUNCTIONS = ("<module>", "<lambda>", "<listcomp>", "<dictcomp>", "<setcomp>", "<genexpr>")
 IDLE = {"RIDELAB_LOG_LEVEL": "warning"}
-HEAD = ["", "files", "functions"]
 BASELINE = {  # of 899e0802, by this same program
     "POST /runs, new": (42, 162),
     "POST /runs, stored": (30, 88),
@@ -151,15 +149,13 @@ FLOWS: dict[str, Flow] = {
 
 
 def run() -> None:
-    """Print the counts of 899e0802, then those of now with files and functions as shares of it."""
+    """Print the counts of now, as shares of those of 899e0802, and those."""
     rows = []
     for name, counts in measure().items():
         shares = [f"{100 * new / old:.0f} %" for new, old in zip(counts, BASELINE[name], strict=True)]
-        rows.append([name, *counts, *shares])
-    table(
-        "What a request entered of backend/ in 899e0802", HEAD, [[name, *counts] for name, counts in BASELINE.items()]
-    )
-    table("What it enters now", [*HEAD, "of those files", "of those functions"], rows)
+        rows.append([name, *counts, *shares, *BASELINE[name]])
+    head = ["", "files", "functions", "of its files", "of its functions", "its files", "its functions"]
+    table("What a request enters of backend/, beside what it did in 899e0802", head, rows)
 
 
 def measure() -> dict[str, tuple[int, ...]]:
@@ -172,7 +168,7 @@ def measure() -> dict[str, tuple[int, ...]]:
     return {name: tuple(counts) for name, counts in json.loads(done.stdout.splitlines()[-1]).items()}
 
 
-def _serve(folder: str, listing: Path | None) -> None:
+def _serve(folder: str) -> None:
     """Serve in this process, and ask it from another thread, which prints the counts and ends it."""
     from backend import __main__ as command
 
@@ -184,7 +180,7 @@ def _serve(folder: str, listing: Path | None) -> None:
     def ask_and_end() -> None:
         try:
             with os.fdopen(reading) as said:
-                counts = _counted(Asking(said.readline().split()[-1]), entered, listing)
+                counts = _counted(Asking(said.readline().split()[-1]), entered)
             os.write(output, f"{json.dumps(counts)}\n".encode())
         finally:
             os.kill(os.getpid(), signal.SIGTERM)
@@ -195,9 +191,8 @@ def _serve(folder: str, listing: Path | None) -> None:
     command.main(["--port", "0", "--data-dir", folder])
 
 
-def _counted(ask: Asking, entered: Entered, listing: Path | None) -> dict[str, tuple[int, ...]]:
+def _counted(ask: Asking, entered: Entered) -> dict[str, tuple[int, ...]]:
     counts: dict[str, tuple[int, ...]] = {}
-    lines: list[str] = []
     for name, prepare in FLOWS.items():
         prepare(ask, 0)()  # fills what is filled once
         times = []
@@ -209,11 +204,8 @@ def _counted(ask: Asking, entered: Entered, listing: Path | None) -> dict[str, t
             times.append(codes)
         always = set.intersection(*times)
         counts[name] = (len({code.co_filename for code in always}), len(always))
-        lines += [f"{name}\t{code.co_filename.removeprefix(BACKEND)}\t{code.co_qualname}" for code in always]
-    if listing is not None:
-        listing.write_text("\n".join(sorted(lines)))
     return counts
 
 
 if __name__ == "__main__":
-    _serve(sys.argv[1], Path(sys.argv[2]) if len(sys.argv) > 2 else None)
+    _serve(sys.argv[1])

@@ -1,6 +1,5 @@
 """How a job that is planned ends where planning meets trouble."""
 
-import asyncio
 import itertools
 import sqlite3
 from collections.abc import Callable
@@ -14,14 +13,11 @@ from backend.errors import WorkerLostError
 from backend.job_run import JobRun
 from backend.jobs import dispatch
 from backend.jobs.kind import AddRuns, JobSize
-from backend.jobs.scheduler import Scheduler
-from backend.settings import Settings
 from backend.store import Store, StoredJob
 from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario
-from tests.faults.test_scheduler import Here, Misbehaving, answered, connected, ended
+from tests.faults.test_scheduler import end_of, led
 from tests.servers import loops
-from tests.servers.process import HANG_TIMEOUT
 
 
 def planned(folder: Path, trouble: Callable[[], None], *, resumed: bool = False) -> StoredJob:
@@ -37,26 +33,13 @@ def planned(folder: Path, trouble: Callable[[], None], *, resumed: bool = False)
         store.migrate()
         request = {"scenario": Scenario().model_dump(mode="json"), "strategies": ["lv"], "fields": []}
         batch, _ = store.jobs.create(StoredJob(kind="sweep", state="planning", request=request, request_hash=""))
-        Misbehaving.behaviour = staticmethod(answered)
-        leading = Scheduler(
-            store=store,
-            settings=Settings(data_dir=folder),
-            kinds=[replace(SWEEP, plan=plan)],
-            connect=connected,
-            workers=Here(),  # type: ignore[arg-type]  # what is used of them
-        )
-        leading.start()
-        try:
-            async with asyncio.timeout(HANG_TIMEOUT):
-                for again in (False, True)[: 1 + resumed]:
-                    if again:
-                        await store.write(store.jobs.resume, batch.id, progress={})
-                    while not await ended(store, batch.id):
-                        await asyncio.sleep(0.02)
-        finally:
-            await leading.close()
-            job = store.jobs.load(batch.id)
-            store.close()
+        async with led(store, folder, replace(SWEEP, plan=plan)):
+            await end_of(store, batch.id)
+            if resumed:
+                await store.write(store.jobs.resume, batch.id, progress={})
+                await end_of(store, batch.id)
+        job = store.jobs.load(batch.id)
+        store.close()
         assert job is not None
         return job
 

@@ -5,7 +5,7 @@ import contextlib
 import itertools
 import sqlite3
 import threading
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import AsyncIterator, Callable, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -24,7 +24,7 @@ from backend.db.sqlite import DatabaseLockedError
 from backend.errors import WorkerLostError, WorkerTimeoutError
 from backend.job_run import JobRow, JobRun
 from backend.jobs import dispatch, scheduler
-from backend.jobs.kind import JobSize, RunKeys
+from backend.jobs.kind import JobKind, JobSize, RunKeys
 from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.jobs.scheduler import Scheduler
 from backend.outcome import Outcome
@@ -153,26 +153,37 @@ def drive(
             submitted(store, first_seed=number * RUNS)
         for name, value in patches.items():
             setattr(store.job_runs, name, value(getattr(store.job_runs, name)))
-        Misbehaving.behaviour = staticmethod(behaviour)
-        leading = Scheduler(
-            store=store,
-            settings=Settings(data_dir=folder),
-            kinds=[replace(SWEEP, plan=planning, keys=keys)],
-            connect=connected,
-            workers=Here(),  # type: ignore[arg-type]  # what is used of them
-        )
-        leading.start()
-        try:
-            async with asyncio.timeout(HANG_TIMEOUT):
-                while not await ended(store, batch.id):
-                    await asyncio.sleep(0.02)
-        finally:
-            await leading.close()
-            rows = store.job_runs.rows(batch.id, -1, 1000)
-            store.close()
+        async with led(store, folder, replace(SWEEP, plan=planning, keys=keys), behaviour):
+            await end_of(store, batch.id)
+        rows = store.job_runs.rows(batch.id, -1, 1000)
+        store.close()
         return rows
 
     return loops.run(run)
+
+
+@contextlib.asynccontextmanager
+async def led(store: Store, folder: Path, kind: JobKind, behaviour: Behaviour = answered) -> AsyncIterator[None]:
+    """Have jobs of a kind driven meanwhile, for as long as they may take, with such an executor."""
+    Misbehaving.behaviour = staticmethod(behaviour)
+    leading = Scheduler(
+        store=store,
+        settings=Settings(data_dir=folder),
+        kinds=[kind],
+        connect=connected,
+        workers=Here(),  # type: ignore[arg-type]  # what is used of them
+    )
+    leading.start()
+    try:
+        async with asyncio.timeout(HANG_TIMEOUT):
+            yield
+    finally:
+        await leading.close()
+
+
+async def end_of(store: Store, batch_id: str) -> None:
+    while not await ended(store, batch_id):
+        await asyncio.sleep(0.02)
 
 
 async def ended(store: Store, batch_id: str) -> bool:
@@ -269,24 +280,6 @@ def test_a_batch_that_does_not_advance_says_why_until_it_does(
         assert stored.execute("SELECT state, reason FROM jobs").fetchall() == [("done", None)]
 
 
-def test_a_chunk_whose_roads_cannot_be_read_is_handed_out_again(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    load, failures = RoadStore.load, itertools.count()
-
-    def failing(roads: RoadStore, ids: Iterable[str]) -> dict[str, MeasuredRoad]:
-        if next(failures) < 3:
-            raise OperationalError("SELECT", {}, Exception("the disk is away"))
-        return load(roads, ids)
-
-    monkeypatch.setattr(RoadStore, "load", failing)
-    road = MeasuredRoad.of(np.zeros(20_001))
-    rows = drive(tmp_path, answered, road=road)
-    assert [row.status for row in rows] == ["ok"] * RUNS
-    assert sorted(seed for chunk in Misbehaving.chunks for seed in seeds(chunk)) == list(range(RUNS))
-    assert {each for chunk in Misbehaving.chunks for each in chunk.roads} == {road.id}
-
-
 def test_what_the_database_will_never_take_fails_the_job_and_no_other(tmp_path: Path) -> None:
     def refused(save: Callable[..., None]) -> Callable[..., None]:
         def saving(*args: Any) -> None:
@@ -314,8 +307,8 @@ def test_a_chunk_cut_short_is_finished_later(tmp_path: Path) -> None:
 def test_results_wait_for_a_database_that_is_away(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, reads_fail: bool
 ) -> None:
-    """Where reads fail too the lead is lost."""
-    fails = threading.Semaphore(40)
+    """Where reads fail too the lead is lost; a road that a chunk needs cannot be read at first either."""
+    fails, load, failures = threading.Semaphore(40), RoadStore.load, itertools.count()
     unsaved: set[str] = set()  # a key of each chunk
 
     def unreliable(save: Callable[..., tuple[set[str], int]]) -> Callable[..., tuple[set[str], int]]:
@@ -333,11 +326,19 @@ def test_results_wait_for_a_database_that_is_away(
         if reads_fail and unsaved:
             raise LeadershipLostError
 
+    def failing(roads: RoadStore, ids: Iterable[str]) -> dict[str, MeasuredRoad]:
+        if next(failures) < 3:
+            raise OperationalError("SELECT", {}, Exception("the disk is away"))
+        return load(roads, ids)
+
     monkeypatch.setattr(Leadership, "confirm", confirm)
-    rows = drive(tmp_path, answered, save=unreliable)
+    monkeypatch.setattr(RoadStore, "load", failing)
+    road = MeasuredRoad.of(np.zeros(20_001))
+    rows = drive(tmp_path, answered, save=unreliable, road=road)
     assert {row.status for row in rows} == {"ok"}
     handed = sorted(seed for chunk in Misbehaving.chunks for seed in seeds(chunk))
     assert handed == list(range(RUNS)), "computed once, committed when that was possible"
+    assert {each for chunk in Misbehaving.chunks for each in chunk.roads} == {road.id}
     assert (Misbehaving.starts > 1) is reads_fail
 
 
