@@ -7,6 +7,7 @@ from backend.roads.export import as_csv
 from backend.roads.survey import read
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.tables.errors import TableError
+from tests import wording
 
 HEAD = "distance [m],height [mm]\n"
 ROWS = [f"{0.1 * index:.1f},{10 * np.sin(index):.3f}" for index in range(200)]
@@ -81,16 +82,8 @@ def test_an_exported_road_that_was_changed_is_a_new_measurement() -> None:
         assert "Heights were averaged over 100 mm, as a tyre's contact does" in again.warnings
 
 
-@pytest.mark.parametrize(
-    ("content", "said"),
-    [
-        (b"distance [m],height [furlong]\n0,0\n9,0\n", "“furlong”, the unit of “height .furlong.”, is not understood"),
-        (b"distance [m],height [km]\n0,0\n1,0\n5,101\n", "A height of more than 100 km"),
-        (b"distance [m],left [m],right [m]\n0,0,0\n1,1e11,-1e11\n5,0,0\n", "A height of more than 100 km"),
-        (b"distance [m],height [m]\n0,0\n1,90000\n5,0\n9,0\n", "Heights differ by kilometres"),
-        (b"distance [m],height [mm]\n0,0\n6,0\n12,1\n", "Heights are 6 m apart, and may be 5 m"),
-    ],
-)
-def test_what_is_no_road_is_refused(content: bytes, said: str) -> None:
-    with pytest.raises(TableError, match=said):
-        read(content)
+@pytest.mark.parametrize("content", wording.asked_in("surveys"))
+def test_what_is_no_road_is_refused(content: str) -> None:
+    with pytest.raises(TableError) as refused:
+        read(content.encode())
+    wording.check("surveys", content, str(refused.value))

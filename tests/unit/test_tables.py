@@ -12,6 +12,7 @@ import pytest
 from sim_core import TableError, UnsureTableError, read_table
 from sim_core.arrays import FloatArray
 from sim_core.tables.titles import DRIVE, ROAD
+from tests import wording
 
 X = np.round(0.25 * np.arange(161), 4)  # [m]
 HEIGHT = np.round(0.01 * np.sin(X) + 0.02 * np.exp(-((X - 20) ** 2)), 6)
@@ -344,47 +345,25 @@ def test_corrections_decide() -> None:
     assert road.signals["distance"][[0, -1]].tolist() == [500, 1000]
 
 
-@pytest.mark.parametrize(
-    ("table", "message"),
-    [
-        ({"columns": [{"title": "q", "means": "height"}]}, "there is no column of this title"),
-        ({"columns": [{"title": "x", "means": "time"}]}, "a road has distance, height, left, right"),
-        (
-            {"columns": [{"title": "x", "means": "distance", "unit": "ohm"}]},
-            "“ohm”, the unit of “x”, is not understood",
-        ),
-        ({"decimal": "'"}, "table: decimal"),
-        ({"encoding": "klingon"}, "There is no such encoding"),
-    ],
-)
-def test_a_correction_that_is_none_is_refused(table: dict[str, object], message: str) -> None:
-    with pytest.raises(TableError, match=message):
-        read_table(lines(X, HEIGHT, head="x,z").encode(), ROAD, table)
+@pytest.mark.parametrize("asked", wording.asked_in("tables"), ids=str)
+def test_what_is_no_table_or_no_correction_is_refused_at_its_line(asked: dict[str, Any]) -> None:
+    with pytest.raises(TableError) as refused:
+        read_table(asked["content"].encode(), asked["kind"], asked.get("table"))
+    wording.check("tables", asked, [refused.value.line, str(refused.value)])
 
 
 @pytest.mark.parametrize(
-    ("content", "kind", "message", "line"),
+    ("content", "message", "line"),
     [
-        ("hello\nworld\n", ROAD, "no rows of numbers", None),
-        ("", DRIVE, "no rows of numbers", None),
-        ("distance [m],height [m]\n0,0\n1,1\0\n", ROAD, "bytes of value 0", 3),
-        ("distance [m],height [m]\n0,0\n1,1\n2,x\n3,3\n9,2\n", ROAD, "“height .m.” is not a number", 4),
-        ("distance [m],height [m]\n0,0\n1,1\n2,2,2\n3,3\n9,2\n", ROAD, "is not like the others", 4),
-        ("distance [m],height [m]\n0,0\n1,1\n1,2\n3,3\n9,2\n", ROAD, "stands still", 4),
-        ("distance [m],height [m]\n0,0\n2,1\n1,2\n3,3\n9,2\n", ROAD, "goes back", 4),
-        ("distance [m],height [m]\n0,0\n1,1\n2,2\n", ROAD, "5 m long at least", 4),
-        ("distance [m],height [m]\n0,0\n1,1e300\n2,2\n", ROAD, "beyond any measurement", 3),
-        ("time [s],body_acceleration [m/s^2]\n0,0\n1,1\n2,2\n", DRIVE, "10 samples at least", 4),
-        ('distance [m],height [m]\n0,0\n1,1\n2,"' + "2,\n" * 70_000, ROAD, "quotation mark is not closed", 4),
-        ("distance [m]," + "," * 1000 + "\n0,0\n1,1\n", ROAD, "columns at most", 1),
-        ("distance [m],height [m]\n" + "0" * 30_000 + ",1\n1,1\n2,2\n", ROAD, "characters at most", 2),
-        (f"distance [m],height [m]\n{'1' * 9000}+{'1' * 9000},1\n" + "1,1\n" * 50, ROAD, "is not a number", 2),
-        ("ERDFILEV2.00\n2, 9, -1, 8, 1, 0.25, -1,\nSHORTNAMLElev.  RElev.  \nEND\n0 0\n1 1\n", ROAD, "binary", 2),
+        ('distance [m],height [m]\n0,0\n1,1\n2,"' + "2,\n" * 70_000, "quotation mark is not closed", 4),
+        ("distance [m]," + "," * 1000 + "\n0,0\n1,1\n", "columns at most", 1),
+        ("distance [m],height [m]\n" + "0" * 30_000 + ",1\n1,1\n2,2\n", "characters at most", 2),
+        (f"distance [m],height [m]\n{'1' * 9000}+{'1' * 9000},1\n" + "1,1\n" * 50, "is not a number", 2),
     ],
 )
-def test_what_is_no_table_is_refused_at_its_line(content: str, kind: str, message: str, line: int | None) -> None:
+def test_what_is_too_long_is_refused_at_its_line(content: str, message: str, line: int) -> None:
     with pytest.raises(TableError, match=message) as refused:
-        read_table(content.encode(), kind)
+        read_table(content.encode(), ROAD)
     assert refused.value.line == line
 
 
