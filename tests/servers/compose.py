@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import yaml
-from sqlalchemy import NullPool, create_engine, make_url
+from sqlalchemy import make_url
 
 from tests.servers.haproxy import Proxy
 from tests.servers.postgres import Postgres
@@ -46,12 +46,6 @@ class Topology(Ends):
     def replica_url(self, number: int) -> str:
         """One replica's own address, past the proxy."""
         return f"http://127.0.0.1:{self._ports[number]}"
-
-    def ask_database(self, query: str, *values: object) -> list[tuple[Any, ...]]:
-        """The answer of the service's database."""
-        engine = create_engine(self.database, poolclass=NullPool)
-        with engine.connect() as connection:
-            return [tuple(row) for row in connection.exec_driver_sql(query, values)]
 
     def wait_until_ready(self) -> None:
         """Wait until the proxy has a ready replica."""

@@ -25,6 +25,7 @@ from sim_core import STRATEGIES, Controller, FloatArray, RidelabError, Scenario,
 from sim_core.fmi.archive import unpack
 from sim_core.fmi.instance import Instance
 from sim_core.kernel.build import default_compiler
+from sim_core.loop.run import Run
 from sim_core.simulate import prepare
 from sim_core.strategies.lv_hil import LvHil
 from sim_core.vehicle.make import make_vehicle, substeps
@@ -140,12 +141,8 @@ def test_the_vehicle_drives_like_our_linear_one(tmp_path: Path) -> None:
     """With the commands of our own LQR; the state at every control instant."""
     scenario = Scenario.model_validate(SMALL)
     run = prepare(scenario, "lqr")
-    loop, grid = run.drive().loop, run.excitation.grid
     importer = Importer(exported(tmp_path, scenario, "2.0", of="vehicle"), tmp_path / "fmu")
-    assert (
-        differences_of(importer, loop, run.excitation.height, run.excitation.grid.braking, grid.fine, grid.fine_step)
-        < ROUNDING
-    )
+    assert differences_of(importer, run, run.drive().loop) < ROUNDING
 
 
 CURVE = {"front_damper_curve": [[-1, -1500], [-0.1, -400], [0.1, 600], [1, 2500]]}
@@ -165,27 +162,17 @@ def test_the_vehicle_drives_like_our_nonlinear_one_in_the_same_steps(tmp_path: P
     assert np.abs(loop[:, :2]).max() > 0.03, "it meets its stops"
     importer = Importer(exported(tmp_path, scenario, "3.0", of="vehicle"), tmp_path / "fmu")
     step = grid.fine_step / substeps(car, actuator, None, grid.fine_step)
-    fine = differences_of(
-        importer, loop, excitation.height, excitation.grid.braking, grid.fine, grid.fine_step, internal_step=step
-    )
-    assert fine < ROUNDING
+    assert differences_of(importer, run, loop, internal_step=step) < ROUNDING
 
 
-def differences_of(
-    importer: Importer,
-    loop: FloatArray,
-    height: FloatArray,
-    braking: FloatArray,
-    fine: int,
-    step: float,
-    **parameters: float,
-) -> float:
-    """The largest difference of a state from that in the loop, relative to its largest value."""
-    differences = []
+def differences_of(importer: Importer, run: Run, loop: FloatArray, **parameters: float) -> float:
+    """Return the largest difference of a state from that in the loop, relative to its largest value."""
+    height, grid, differences = run.excitation.height, run.excitation.grid, []
+    fine, step = grid.fine, grid.fine_step
     with importer.run(road_front=height[0, 0], road_rear=height[1, 0], **parameters):
         for i in range(height.shape[1] - 1):
             front, rear = loop[i // fine + 1, -2:]
-            road = {"road_front": height[0, i + 1], "road_rear": height[1, i + 1], "braking": braking[i]}
+            road = {"road_front": height[0, i + 1], "road_rear": height[1, i + 1], "braking": grid.braking[i]}
             importer.step(i * step, step, {**road, "force_front": front, "force_rear": rear})
             if (i + 1) % fine == 0:
                 differences.append(np.array(importer.get(STATE)) - loop[(i + 1) // fine, :8])

@@ -45,12 +45,7 @@ def test_a_small_disturbance_grows_where_the_loop_is_unstable(
     name: str, mismatch: Mismatch, actuator: Actuator
 ) -> None:
     """A bump of a micrometre on a smooth road: the wheels come to rest, or swing up, if need be to the limits."""
-    scenario = Scenario(
-        road=Road(roughness=0, length=150, bump=Bump(height=1e-6, width=1, start=5)),
-        speed=Speed(target_speed_kmh=50),
-        mismatch=mismatch,
-        actuator=actuator,
-    )
+    scenario = near_rest(mismatch, actuator, length=150)
     signals = simulate(scenario, name).series
     load = np.hypot(signals["front_tyre_load"], signals["rear_tyre_load"])
     early, late = (load[(signals["position"] > a) & (signals["position"] < a + 10)].max() for a in (60, 139))
@@ -78,16 +73,16 @@ def limit(name: str, ratio: float, actuator: Actuator) -> float:
     low, high = 0.3, 1.0
     while high - low > 0.002:
         middle = (low + high) / 2
-        damped = there(least_damping(near_rest(middle, ratio, actuator), name))
+        damped = there(least_damping(near_rest(Mismatch(damping=middle, rebound_ratio=ratio), actuator), name))
         low, high = (middle, high) if damped < 0 else (low, middle)
     return high
 
 
-def near_rest(damping: float, ratio: float, actuator: Actuator) -> Scenario:
+def near_rest(mismatch: Mismatch, actuator: Actuator, length: float = 450) -> Scenario:
     return Scenario(
-        road=Road(roughness=0, length=450, bump=Bump(height=1e-6, width=1, start=5)),
+        road=Road(roughness=0, length=length, bump=Bump(height=1e-6, width=1, start=5)),
         speed=Speed(target_speed_kmh=50),
-        mismatch=Mismatch(damping=damping, rebound_ratio=ratio),
+        mismatch=mismatch,
         actuator=actuator,
     )
 
@@ -112,7 +107,7 @@ def test_with_unequal_dampers_the_limit_is_where_a_simulation_begins_to_grow(
     found = limit(name, ratio, actuator)
     assert found == pytest.approx(expected, abs=0.01)
     for share, unstable in ((found - 0.02, True), (found + 0.02, False)):
-        signals = simulate(near_rest(share, ratio, actuator), name).series
+        signals = simulate(near_rest(Mismatch(damping=share, rebound_ratio=ratio), actuator), name).series
         load = np.hypot(signals["front_tyre_load"], signals["rear_tyre_load"])
         early, late = (load[(signals["position"] > a) & (signals["position"] < a + 30)].max() for a in (200, 419))
         assert (late > early or late > 10) == unstable  # 10 N: a hundred times what the bump makes
