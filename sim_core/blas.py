@@ -4,6 +4,7 @@ The matrices are small: a second thread only costs, many times over on a busy ma
 """
 
 import os
+import sys
 from collections.abc import Callable
 from functools import cache, wraps
 from typing import ParamSpec, TypeVar
@@ -19,7 +20,8 @@ T = TypeVar("T")
 
 
 @cache
-def _controller() -> ThreadpoolController:
+def _controller(with_scipy: bool) -> ThreadpoolController:
+    """Return what sets the threads of the libraries that are loaded; SciPy may bring its own later than NumPy."""
     return ThreadpoolController().select(user_api="blas")
 
 
@@ -28,7 +30,7 @@ def single_threaded(function: Callable[P, T]) -> Callable[P, T]:
 
     @wraps(function)
     def limited(*args: P.args, **kwargs: P.kwargs) -> T:
-        with _controller().limit(limits=1):
+        with _controller("scipy.linalg" in sys.modules).limit(limits=1):
             return function(*args, **kwargs)
 
     return limited

@@ -189,7 +189,7 @@ def test_presets_and_own_scenarios_are_opened_saved_and_imported(dashboard: Dash
     page.keyboard.press("Enter")
     expect(page.get_by_role("status").filter(has_text="in the library as “My pothole”")).to_be_visible()
     dashboard.drop({"hump.json": '{"road": {"bump": {"height": 0.12}}}', "photo.png": "?"})
-    alert = page.get_by_role("alert").filter(has_text="photo.png: Expected a scenario, a vehicle or requirements")
+    alert = page.get_by_role("alert").filter(has_text="photo.png: There are no rows of numbers in this file")
     expect(alert.filter(has_text="The scenario “hump” is opened, and in the library")).to_be_visible()
     expect(dashboard.entry("Height")).to_have_value("12")
 
