@@ -50,7 +50,7 @@ def in_section(kind: str, signal: FloatArray, first: float, last: float) -> tupl
         command, row = divmod(step, fine)
         a, b = signal[command, row : row + 2]
         low, high = max(first - step, 0.0), min(last - step, 1.0)
-        over_step = {"value": (a + b) / 2, "square": (a**2 + b**2) / 2, "line": (a**2 + a * b + b**2) / 3}
+        over_step = {"square": (a**2 + b**2) / 2, "line": (a**2 + a * b + b**2) / 3}
         integral += (high - low) * over_step[kind]
         peak = max(peak, abs(a + low * (b - a)), abs(a + high * (b - a)))
     return integral, peak

@@ -1,11 +1,9 @@
 """The tuner's own arithmetic: objectives by hand, fronts and volumes with known answers, weights as points and back."""
 
-import math
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
 import orjson
 import pytest
 from hypothesis import given
@@ -181,33 +179,6 @@ def test_what_cannot_be_tuned_is_refused_at_its_field(body: dict[str, Any]) -> N
     with pytest.raises(ValidationError) as refused:
         TuningRequest.model_validate_json(orjson.dumps(body))
     wording.check("tunings", body, wording.errors_in(refused.value))
-
-
-def searched(count: int) -> tuple[dict[str, Any], list[StoredTrial]]:
-    """The log of each weight has its best at 1; a trial beyond 4 of the first is not allowed."""
-    search = space.default_search("lqr")
-    own = space.paper_weights("lqr", search)
-    generator = np.random.default_rng(1)
-    trials = []
-    for number in range(count):
-        point = {
-            name: math.exp(generator.uniform(math.log(low), math.log(high))) for name, (low, high) in search.items()
-        }
-        value = sum(math.log(each) ** 2 for each in point.values())
-        over = point["lqr.weights.0"]
-        weights = space.weights_of(point, search, own)
-        trials.append(trial(number, value, feasible=over <= 4, weights=weights, limits=[over]))
-    limited = [Limit(figure="travel_time", at_most=4)]
-    return TuningRequest(strategy="lqr", limits=limited, seed=7).stored(), trials
-
-
-def test_the_same_trials_lead_to_the_same_next_ones() -> None:
-    request, trials = searched(40)
-    asked_trials = ask(request, trials, generation=3, count=8)
-    assert asked_trials == ask(request, trials, generation=3, count=8)
-    assert asked_trials != ask(request, trials, generation=4, count=8)
-    assert asked_trials != ask(request, trials[:20], generation=3, count=8)
-    assert asked_trials[:4] == ask(request, trials, generation=3, count=4)
 
 
 def roads(values: dict[int, float]) -> dict[int, Any]:
