@@ -39,14 +39,10 @@ def main(arguments: list[str] | None = None) -> int:
         "--explain-limits", action="store_true", help="print what clients may have open at once, and end"
     )
     # What `ridelab` asks for; people find it there.
-    parser.add_argument("--say-where", action="store_true", help=argparse.SUPPRESS)
-    parser.add_argument("--open", action="store_true", help=argparse.SUPPRESS)
-    parser.add_argument("--or-free-port", action="store_true", help=argparse.SUPPRESS)
-    parser.add_argument("--until-input-ends", action="store_true", help=argparse.SUPPRESS)
-    parser.add_argument("--back-up", type=Path, help=argparse.SUPPRESS)
-    parser.add_argument("--force", action="store_true", help=argparse.SUPPRESS)
-    parser.add_argument("--drive", type=Path, help=argparse.SUPPRESS)
-    parser.add_argument("--json", action="store_true", help=argparse.SUPPRESS)
+    for switch in ("--say-where", "--open", "--or-free-port", "--until-input-ends", "--force", "--json"):
+        parser.add_argument(switch, action="store_true", help=argparse.SUPPRESS)
+    for file in ("--back-up", "--drive"):
+        parser.add_argument(file, type=Path, help=argparse.SUPPRESS)
     parser.epilog = "Further settings are environment variables RIDELAB_*; see docs/how-to/operations.md."
     options = parser.parse_args(arguments)
 

@@ -31,7 +31,7 @@ from backend.http import openapi, problems
 from backend.http.middleware import RequestMiddleware
 from backend.http.tokens import TokenMiddleware
 from backend.library import answers
-from backend.services import Services, interactive_workers, make_services
+from backend.services import Services, interactive_workers
 from backend.settings import BUILT_MANUAL, BUILT_PAGE, Settings
 from sim_core import __version__
 
@@ -54,7 +54,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
         settings: Of the service.
         workers: Perhaps spawned already; by default its own.
     """
-    services = make_services(settings, workers or interactive_workers(settings))
+    services = Services(settings, workers or interactive_workers(settings))
     by_token = []
     if services.tokens is not None and services.logins is not None:
         by_token = [Middleware(TokenMiddleware, services.tokens, services.logins)]

@@ -163,16 +163,6 @@ class TooManyRequestsError(TemporaryError):
     retry_after = 2
 
 
-class DamagedResultError(TemporaryError):
-    """A stored time history turned out to be damaged and was dropped: the next request finds it missing."""
-
-    kind = "store-unavailable"
-    retry_after = 1
-
-    def __init__(self) -> None:
-        super().__init__("A stored time history was damaged and has been dropped: ask again.")
-
-
 class NewerSchemaError(TemporaryError):
     """A newer version of the service stored this."""
 

@@ -4,6 +4,7 @@ What is answered is built as its model, a large table and what is stored as JSON
 """
 
 import re
+from functools import partial
 from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationInfo, WithJsonSchema
@@ -85,15 +86,9 @@ def _check_options(scenario: Scenario) -> Scenario:
 SentScenario = Annotated[Scenario, AfterValidator(_check_options)]
 
 
-def _check_metric(name: str) -> str:
-    if name not in NUMBERS:
-        raise PydanticCustomError("unknown_metric", "{said}", {"said": unknown_name("metric", name, NUMBERS)})
-    return name
-
-
-def _check_signal(name: str) -> str:
-    if name not in SIGNALS:
-        raise PydanticCustomError("unknown_signal", "{said}", {"said": unknown_name("signal", name, list(SIGNALS))})
+def _check_listed(what: str, offered: list[str], name: str) -> str:
+    if name not in offered:
+        raise PydanticCustomError("unknown_name", "{said}", {"said": unknown_name(what, name, offered)})
     return name
 
 
@@ -111,8 +106,10 @@ StrategyId = Annotated[str, Field(pattern=STRATEGY_PATTERN)]
 ShownStrategy = Annotated[
     str, AfterValidator(_check_shown), WithJsonSchema({"type": "string", "pattern": STRATEGY_PATTERN})
 ]
-SignalName = Annotated[str, AfterValidator(_check_signal), Field(json_schema_extra={"enum": list(SIGNALS)})]
-MetricName = Annotated[str, AfterValidator(_check_metric), Field(json_schema_extra={"enum": list(NUMBERS)})]
+_check_signal = AfterValidator(partial(_check_listed, "signal", list(SIGNALS)))
+_check_metric = AfterValidator(partial(_check_listed, "metric", list(NUMBERS)))
+SignalName = Annotated[str, _check_signal, Field(json_schema_extra={"enum": list(SIGNALS)})]
+MetricName = Annotated[str, _check_metric, Field(json_schema_extra={"enum": list(NUMBERS)})]
 Points = Annotated[
     int, Field(ge=2, le=MAX_LIVE_POINTS, description="At most how many samples; up to half of them are peaks.")
 ]

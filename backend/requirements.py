@@ -88,14 +88,14 @@ Requirements = Annotated[
 ]
 
 
-def read(text: str) -> list[Requirement]:
-    """Return the requirements in a parameter of an address, as JSON.
+def read(text: str | None) -> list[Requirement]:
+    """Return the requirements in a parameter of an address, as JSON; none where it was omitted.
 
     Raises:
         InvalidError: They are none.
     """
     try:
-        return _LIST.validate_json(text)
+        return [] if text is None else _LIST.validate_json(text)
     except ValidationError as error:
         first = error.errors(include_input=False, include_url=False)[0]
         place = ".".join(map(str, first["loc"]))

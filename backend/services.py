@@ -1,11 +1,10 @@
 """The services of one application: each room's, made at the start from what they share, in one typed object."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from operator import attrgetter
 
 from cachetools import LRUCache
-from prometheus_client import CollectorRegistry
 
 from backend.batches.kind import SWEEP
 from backend.batches.service import BatchService
@@ -41,41 +40,83 @@ from backend.tunings.service import TuningService
 from backend.tunings.steps import TUNING, TuningSteps
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
 class Services:
     """Every service, and what they work with; none runs before `start`.
+
+    Args:
+        settings: Of all.
+        workers: The processes that answer requests.
 
     Attributes:
         tokens: Who may ask; None where the service has no tokens.
         logins: With those; None likewise.
     """
 
-    settings: Settings
-    gate: Gate
-    tokens: Tokens | None
-    logins: Logins | None
-    own_files: Watch
-    store: Store
-    workers: Workers
-    batch_workers: Workers
-    metrics: CollectorRegistry
-    spool: Spool
-    tables: Tables
-    roads: MeasuredRoads
-    recordings: Recordings
-    runs: Runs
-    curves: RunCurves
-    reports: RunReports
-    solver: Solver
-    analysis: ControlAnalysis
-    batches: BatchService
-    tunings: TuningService
-    paper: Paper
-    links: Links
-    controllers: Controllers
-    fmus: Fmus
-    tuning_steps: TuningSteps
-    scheduler: Scheduler
+    def __init__(self, settings: Settings, workers: Workers) -> None:
+        self.settings = settings
+        self.workers = workers
+        self.store, self.gate = Store(settings.store_url), Gate(settings)
+        self.tokens = None if settings.tokens_file is None else Tokens(settings.tokens_file)
+        self.logins = None if self.tokens is None else _logins(self.tokens, self.store)
+        # Where Dask computes the jobs, one process is left for longer planning and summaries.
+        count = settings.batch_workers if settings.dask_scheduler is None else 1
+        self.batch_workers = Workers(count, timeout=settings.run_timeout, warm_up=WARM_UP, nice=BATCH_NICE)
+        self.metrics = service_registry(workers, self.gate)
+        self.spool = Spool(settings.data_dir / "spool", Budget("the space for long answers", settings.spool_bytes))
+        self.own_files = Watch(settings.controller_timeout)
+        self._add_runs()
+        self._add_jobs()
+
+    def _add_runs(self) -> None:
+        """Make what answers requests from runs and files."""
+        store, workers, gate = self.store, self.workers, self.gate
+        self.tables = Tables(workers=workers, gate=gate)
+        self.roads = roads = MeasuredRoads(store=store, workers=workers, gate=gate, tables=self.tables)
+        self.recordings = recordings = Recordings(store=store, workers=workers, gate=gate, tables=self.tables)
+        memory = LRUCache[str, Outcome](self.settings.series_cache_bytes, getsizeof=attrgetter("size"))
+        results = Results(store=store, workers=workers, memory=memory, gate=gate, roads=roads, recordings=recordings)
+        self.runs = runs = Runs(store=store, results=results, gate=gate, roads=roads, recordings=recordings)
+        histories = Histories(
+            store=store,
+            workers=workers,
+            results=results,
+            gate=gate,
+            roads=roads,
+            recordings=recordings,
+            spool=self.spool,
+        )
+        self.curves = RunCurves(runs=runs, histories=histories, gate=gate)
+        self.reports = RunReports(runs=runs, histories=histories, gate=gate)
+        self.analysis = ControlAnalysis(runs=runs, workers=workers, gate=gate, roads=roads)
+        self.solver = Solver(runs=runs, gate=gate, roads=roads)
+        self.paper = Paper(rows=PaperRows(store), results=results, gate=gate)
+        self.links = Links(store=store, workers=workers, runs=runs, gate=gate, roads=roads, recordings=recordings)
+        self.controllers = Controllers(workers=workers, gate=gate, roads=roads)
+        self.fmus = Fmus(workers=workers, gate=gate, roads=roads)
+
+    def _add_jobs(self) -> None:
+        """Make what accepts jobs and has them computed."""
+        store, workers, gate, settings = self.store, self.batch_workers, self.gate, self.settings
+        self.batches = BatchService(
+            store=store,
+            workers=self.workers,
+            batch_workers=workers,
+            gate=gate,
+            settings=settings,
+            roads=self.roads,
+            spool=self.spool,
+        )
+        self.tunings = TuningService(store=store, batch_workers=workers, gate=gate, settings=settings)
+        self.tuning_steps = TuningSteps(store, self.batches, self.own_files)
+        sweep = replace(SWEEP, plan=self.batches.plan)
+        tuning = replace(TUNING, plan=self.tunings.plan, step=self.tuning_steps.step)
+        self.scheduler = Scheduler(
+            store=store,
+            settings=settings,
+            kinds=(sweep, REPRODUCTION, tuning),
+            connect=partial(_connect, settings, workers),
+            workers=workers,
+        )
 
     async def start(self) -> None:
         """Spawn the workers, and lead jobs where no other service does; batch workers start with their first task."""
@@ -96,75 +137,6 @@ class Services:
 def interactive_workers(settings: Settings) -> Workers:
     """Return the processes that answer requests."""
     return Workers(settings.workers, timeout=settings.run_timeout, warm_up=WARM_UP, reserved=RESERVED)
-
-
-def make_services(settings: Settings, workers: Workers) -> Services:
-    """Make the services with these settings and these interactive workers."""
-    store, gate = Store(settings.store_url), Gate(settings)
-    tokens = None if settings.tokens_file is None else Tokens(settings.tokens_file)
-    # Where Dask computes the jobs, one process is left for longer planning and summaries.
-    count = settings.batch_workers if settings.dask_scheduler is None else 1
-    batch_workers = Workers(count, timeout=settings.run_timeout, warm_up=WARM_UP, nice=BATCH_NICE)
-    spool = Spool(settings.data_dir / "spool", Budget("the space for long answers", settings.spool_bytes))
-    tables = Tables(workers=workers, gate=gate)
-    roads = MeasuredRoads(store=store, workers=workers, gate=gate, tables=tables)
-    recordings = Recordings(store=store, workers=workers, gate=gate, tables=tables)
-    memory = LRUCache[str, Outcome](settings.series_cache_bytes, getsizeof=attrgetter("size"))
-    results = Results(store=store, workers=workers, memory=memory, gate=gate, roads=roads, recordings=recordings)
-    runs = Runs(store=store, results=results, gate=gate, roads=roads, recordings=recordings)
-    histories = Histories(
-        store=store, workers=workers, results=results, gate=gate, roads=roads, recordings=recordings, spool=spool
-    )
-    batches = BatchService(
-        store=store,
-        workers=workers,
-        batch_workers=batch_workers,
-        gate=gate,
-        settings=settings,
-        roads=roads,
-        spool=spool,
-    )
-    tunings = TuningService(store=store, batch_workers=batch_workers, gate=gate, settings=settings)
-    own_files = Watch(settings.controller_timeout)
-    tuning_steps = TuningSteps(store, batches, own_files)
-    return Services(
-        settings=settings,
-        gate=gate,
-        tokens=tokens,
-        logins=None if tokens is None else _logins(tokens, store),
-        own_files=own_files,
-        store=store,
-        workers=workers,
-        batch_workers=batch_workers,
-        metrics=service_registry(workers, gate),
-        spool=spool,
-        tables=tables,
-        roads=roads,
-        recordings=recordings,
-        runs=runs,
-        curves=RunCurves(runs=runs, histories=histories, gate=gate),
-        reports=RunReports(runs=runs, histories=histories, gate=gate),
-        analysis=ControlAnalysis(runs=runs, workers=workers, gate=gate, roads=roads),
-        solver=Solver(runs=runs, gate=gate, roads=roads),
-        batches=batches,
-        tunings=tunings,
-        paper=Paper(rows=PaperRows(store), results=results, gate=gate),
-        links=Links(store=store, workers=workers, runs=runs, gate=gate, roads=roads, recordings=recordings),
-        controllers=Controllers(workers=workers, gate=gate, roads=roads),
-        fmus=Fmus(workers=workers, gate=gate, roads=roads),
-        tuning_steps=tuning_steps,
-        scheduler=Scheduler(
-            store=store,
-            settings=settings,
-            kinds=(
-                replace(SWEEP, plan=batches.plan),
-                REPRODUCTION,
-                replace(TUNING, plan=tunings.plan, step=tuning_steps.step),
-            ),
-            connect=partial(_connect, settings, batch_workers),
-            workers=batch_workers,
-        ),
-    )
 
 
 def _logins(tokens: Tokens, store: Store) -> Logins:

@@ -1,27 +1,16 @@
 """Batches: submit, follow, cancel, read."""
 
-from collections.abc import Iterable
 from typing import Annotated
 
 from fastapi import Query, Response
 
 from backend.api import jobs
+from backend.api.lists import names_in
 from backend.api.routing import ApiRequest, ends_with_client, json_answer, router
-from backend.batches import robustness
-from backend.batches.models import (
-    Batch,
-    Batches,
-    BatchRequest,
-    BatchRequirements,
-    BatchResults,
-    BatchSummary,
-    BatchTable,
-    Estimate,
-)
+from backend.batches import models, robustness
 from backend.batches.points import Sweep
 from backend.batches.summary_models import RobustnessDefaults
 from backend.batches.table import Page
-from backend.errors import InvalidError
 from backend.file_formats import MEDIA_TYPES, FileFormat
 from backend.http import problems
 from backend.http.answers import Download, content_answer
@@ -31,8 +20,8 @@ api = jobs.JobApi(
     service=lambda services: services.batches,
     name="batch",
     plural="batches",
-    model=Batch,
-    page_model=Batches,
+    model=models.Batch,
+    page_model=models.Batches,
     events=["state", "progress"],
     event_data="state, done, failed, total",
 )
@@ -45,13 +34,11 @@ lists, batches, naming = api.routers()
     "/batches",
     operation_id="createBatch",
     status_code=202,
-    response_model=Batch,
-    responses={200: {"model": Estimate, "description": "Of a dry run"}},
+    response_model=models.Batch,
+    responses={200: {"model": models.Estimate, "description": "Of a dry run"}},
 )
 async def create_batch(
-    body: BatchRequest,
-    request: ApiRequest,
-    idempotency_key: jobs.IdempotencyKey = None,
+    body: models.BatchRequest, request: ApiRequest, idempotency_key: jobs.IdempotencyKey = None
 ) -> Response:
     """Submit a sweep; 202 comes at once, after the commit: what was accepted completes, whatever crashes.
 
@@ -75,7 +62,7 @@ async def create_batch(
 @batches.post(
     "/batches/{id}/resume",
     operation_id="resumeBatch",
-    response_model=Batch,
+    response_model=models.Batch,
     responses={**jobs.OWNERS, 409: problems.ANSWER},
 )
 async def resume_batch(request: ApiRequest, job_id: jobs.JobId) -> Response:
@@ -94,7 +81,7 @@ async def get_batch_sweep(request: ApiRequest, job_id: jobs.JobId) -> Response:
 @reading.get(
     "/batches/{id}/results",
     operation_id="getBatchResults",
-    response_model=BatchResults,
+    response_model=models.BatchResults,
     responses={200: {"content": {"text/csv": {}}}},
 )
 async def get_batch_results(
@@ -117,7 +104,7 @@ async def get_batch_results(
     return Download(stream, counted, headers=headers, media_type=MEDIA_TYPES[file_format])
 
 
-@reading.get("/batches/{id}/table", operation_id="getBatchTable", response_model=BatchTable)
+@reading.get("/batches/{id}/table", operation_id="getBatchTable", response_model=models.BatchTable)
 async def get_batch_table(
     request: ApiRequest,
     job_id: jobs.JobId,
@@ -125,13 +112,13 @@ async def get_batch_table(
 ) -> Response:
     """Rows column by column: run, strategy, status, reason, the swept fields and the figures asked for."""
     return content_answer(
-        await request.services.batches.table(job_id, _figures(figures, METRICS), request.client_id),
+        await request.services.batches.table(job_id, names_in("figures", figures, METRICS) or [], request.client_id),
         {},
         MEDIA_TYPES["json"],
     )
 
 
-@reading.get("/batches/{id}/requirements", operation_id="getBatchRequirements", response_model=BatchRequirements)
+@reading.get("/batches/{id}/requirements", operation_id="getBatchRequirements", response_model=models.BatchRequirements)
 async def get_batch_requirements(request: ApiRequest, job_id: jobs.JobId) -> Response:
     """How the runs keep the batch's requirements: counts, where each first fails, and the worst of each run."""
     return json_answer(await request.services.batches.requirements(job_id))
@@ -140,7 +127,7 @@ async def get_batch_requirements(request: ApiRequest, job_id: jobs.JobId) -> Res
 @batches.get(
     "/batches/{id}/summary",
     operation_id="getBatchSummary",
-    response_model=BatchSummary,
+    response_model=models.BatchSummary,
     responses={429: problems.ANSWER},
 )
 async def get_batch_summary(
@@ -157,7 +144,7 @@ async def get_batch_summary(
 
     Over the runs that have finished. The worst place of a figure is its `highest`.
     """
-    names = _figures(figures, NUMBERS) or list(robustness.FIGURES)
+    names = names_in("figures", figures, NUMBERS) or list(robustness.FIGURES)
     return json_answer(await request.services.batches.summary(job_id, names, baseline, request.client_id))
 
 
@@ -165,16 +152,3 @@ async def get_batch_summary(
 async def get_robustness_defaults() -> Response:
     """The uncertain fields of a robustness study by default: a batch over these ranges, read by its summary."""
     return json_answer(robustness.defaults())
-
-
-def _figures(text: str, offered: Iterable[str]) -> list[str]:
-    """The figures named, each once.
-
-    Raises:
-        InvalidError: One is unknown.
-    """
-    names = [name.strip() for name in text.split(",") if name.strip()]
-    if not set(names) <= set(offered):
-        message = f"Unknown figure; there are {', '.join(offered)}"
-        raise InvalidError(message, parameter="figures")
-    return list(dict.fromkeys(names))

@@ -6,8 +6,8 @@ from fastapi import APIRouter, Request, Response
 from prometheus_client.exposition import choose_encoder
 from pydantic import Field
 
-from backend import custom_controllers
 from backend.api.routing import json_answer
+from backend.custom_controllers import registry as custom_controllers
 from backend.models import Answer
 from backend.services import Services
 

@@ -37,20 +37,10 @@ class JobService(Protocol):
 
     jobs: Jobs
 
-    async def answer(
-        self,
-        job: StoredJob,
-    ) -> BaseModel:
+    async def answer(self, job: StoredJob) -> BaseModel:
         """The job as it is answered."""
 
-    async def page(
-        self,
-        *,
-        limit: int,
-        cursor: str | None,
-        state: State | None,
-        label: str | None,
-    ) -> BaseModel:
+    async def page(self, *, limit: int, cursor: str | None, state: State | None, label: str | None) -> BaseModel:
         """The newest jobs."""
 
 
@@ -86,10 +76,7 @@ class JobApi:
         self._add_events(without_body)
         return lists, without_body, with_body
 
-    def _add_queries(
-        self,
-        lists: APIRouter,
-    ) -> None:
+    def _add_queries(self, lists: APIRouter) -> None:
         @lists.get(f"/{self.plural}", operation_id=f"list{self.plural.title()}", response_model=self.page_model)
         async def page(
             request: ApiRequest,
@@ -108,11 +95,7 @@ class JobApi:
             service = self.service(request.services)
             return json_answer(await service.answer(await service.jobs.get(job_id)))
 
-    def _add_changing(
-        self,
-        without_body: APIRouter,
-        with_body: APIRouter,
-    ) -> None:
+    def _add_changing(self, without_body: APIRouter, with_body: APIRouter) -> None:
         path, title = f"/{self.plural}/{{id}}", self.name.title()
 
         @with_body.patch(path, operation_id=f"label{title}", response_model=self.model, responses=OWNERS)
@@ -122,10 +105,7 @@ class JobApi:
             return json_answer(await service.answer(await service.jobs.set_label(job_id, body.label, request.token)))
 
         @without_body.delete(
-            path,
-            operation_id=f"delete{title}",
-            status_code=204,
-            responses={**OWNERS, 409: problems.ANSWER},
+            path, operation_id=f"delete{title}", status_code=204, responses={**OWNERS, 409: problems.ANSWER}
         )
         async def delete(job_id: JobId, request: ApiRequest) -> Response:
             """Remove one that has ended and that no link shows; with tokens only its owner may."""
@@ -138,10 +118,7 @@ class JobApi:
             service = self.service(request.services)
             return json_answer(await service.answer(await service.jobs.cancel(job_id, request.token)))
 
-    def _add_events(
-        self,
-        without_body: APIRouter,
-    ) -> None:
+    def _add_events(self, without_body: APIRouter) -> None:
         event = {  # each one of the stream
             "type": "object",
             "properties": {
@@ -172,11 +149,7 @@ class JobApi:
             headers = {"Cache-Control": "no-store", "X-Accel-Buffering": "no"}
             return StreamingResponse(stream, headers=headers, media_type="text/event-stream")
 
-    def accepted(
-        self,
-        answer: BaseModel,
-        job: StoredJob,
-    ) -> Response:
+    def accepted(self, answer: BaseModel, job: StoredJob) -> Response:
         """The answer 202 to a job that was accepted."""
         return json_answer(answer, {"Location": f"{API}/{self.plural}/{job.id}"}, status=202)
 

@@ -18,10 +18,7 @@ Slug = Annotated[str, Path(description="22 characters; anything else is 404")]
 
 
 @sharing.post("/links", operation_id="createLink", response_model=models_links.CreatedLink, status_code=201)
-async def create_link(
-    body: models_links.LinkRequest,
-    request: ApiRequest,
-) -> Response:
+async def create_link(body: models_links.LinkRequest, request: ApiRequest) -> Response:
     """Share a stored run or a batch; the answer comes after the commit."""
     slug, series_pinned = await request.services.links.create(body, request.client_id, request.token)
     answer = {"slug": slug, "url": _url(request, slug), "series_pinned": series_pinned}

@@ -1,12 +1,13 @@
-"""Parameters of lists that are read page by page, and who may list what was shared or sent, and take it back."""
+"""Parameters that are lists of names, or read a list page by page; and who may list what was shared or sent."""
 
 import ipaddress
+from collections.abc import Collection
 from typing import Annotated
 
 from fastapi import Depends, Query
 
 from backend.api.routing import ApiRequest
-from backend.errors import ForbiddenError
+from backend.errors import ForbiddenError, InvalidError
 from backend.store.pages import CURSOR
 
 Limit = Annotated[int, Query(ge=1, le=500, description="At most so many")]
@@ -47,3 +48,15 @@ def _is_loopback(name: str) -> bool:
     except ValueError:
         return name == "localhost"
     return (getattr(address, "ipv4_mapped", None) or address).is_loopback
+
+
+def names_in(parameter: str, text: str | None, offered: Collection[str] | None = None) -> list[str] | None:
+    """Return the names with commas between in a parameter, each once; None where there are none.
+
+    Raises:
+        InvalidError: One of them is not among those `offered`.
+    """
+    names = dict.fromkeys(name.strip() for name in (text or "").split(",") if name.strip())
+    if offered is not None and not names.keys() <= set(offered):
+        raise InvalidError(f"Unknown name; there are {', '.join(offered)}", parameter=parameter)
+    return list(names) or None

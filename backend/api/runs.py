@@ -1,23 +1,18 @@
 """Runs: create, read, drag, search a limit, time histories, figures."""
 
-from collections.abc import Collection
 from typing import Annotated, Any, Literal
 
 from fastapi import Path, Query, Response
 from fastapi.responses import HTMLResponse
 
 from backend import models
+from backend.api.lists import names_in
 from backend.api.routing import SCENARIO_VALUES, ApiRequest, html_answer, json_answer, router
 from backend.digest import RUN_ID_LENGTH
-from backend.errors import InvalidError
 from backend.file_formats import BINARY, MEDIA_TYPES, FileFormat
-from backend.http.answers import (
-    content_answer,
-    revalidated,
-    takes_gzip,
-)
+from backend.http.answers import content_answer, revalidated, takes_gzip
 from backend.json_types import JsonObject
-from backend.requirements import Requirement, read
+from backend.requirements import read
 from backend.runs.deviations import Deviations
 from backend.runs.figures import PANELS
 from backend.runs.frequency import FrequencyAnswer, FrequencyRequest
@@ -69,12 +64,7 @@ async def create_run(body: RunRequest, request: ApiRequest) -> Response:
     return json_answer(await work)
 
 
-@computing.post(
-    "/live",
-    operation_id="live",
-    response_model=LiveRun,
-    responses={200: {"content": {BINARY: {}}}},
-)
+@computing.post("/live", operation_id="live", response_model=LiveRun, responses={200: {"content": {BINARY: {}}}})
 async def live(body: LiveRequest, request: ApiRequest) -> Response:
     """Metrics and decimated time histories while somebody drags; nothing is stored."""
     content = await request.services.runs.live(body, request.client_id)
@@ -99,12 +89,7 @@ async def fuzzy(body: FuzzyRequest, request: ApiRequest) -> Response:
     return json_answer(await request.services.analysis.fuzzy(body, request.client_id))
 
 
-@runs.get(
-    "/runs/{id}",
-    operation_id="getRun",
-    response_model=Run | RoadsRun,
-    responses=NOT_CHANGED,
-)
+@runs.get("/runs/{id}", operation_id="getRun", response_model=Run | RoadsRun, responses=NOT_CHANGED)
 async def get_run(
     run_id: RunId,
     request: ApiRequest,
@@ -135,9 +120,9 @@ async def get_run(
     work = request.services.runs.get(
         run_id,
         request.client_id,
-        requirements=_required(requirements),
+        requirements=read(requirements),
         baseline=baseline,
-        compared=_names("compare", compare),
+        compared=names_in("compare", compare),
         against=against,
     )
     return revalidated(request, await work)
@@ -176,12 +161,12 @@ async def get_series(
 
     All samples are two at an instant at which a held force jumps: the values before and after.
     """
-    names = _names("strategy", strategy)
+    names = names_in("strategy", strategy)
     content = await request.services.curves.series(
         run_id,
         request.client_id,
         strategies=names,
-        signals=_names("signals", signals, SIGNALS),
+        signals=names_in("signals", signals, SIGNALS),
         points=points,
         file_format=file_format,
         encoding=encoding,
@@ -235,33 +220,21 @@ async def get_bands(
     content = await request.services.curves.bands(
         run_id,
         request.client_id,
-        strategies=_names("strategy", strategy),
-        signals=_names("signals", signals, SIGNALS),
+        strategies=names_in("strategy", strategy),
+        signals=names_in("signals", signals, SIGNALS),
         points=points,
         encoding=encoding,
     )
     return revalidated(request, content)
 
 
-@drawing.get(
-    "/runs/{id}/figures",
-    operation_id="getRunFigures",
-    response_model=models.Figures,
-)
-async def get_run_figures(
-    request: ApiRequest,
-    run_id: RunId,
-    x: Axis = "position",
-) -> Response:
+@drawing.get("/runs/{id}/figures", operation_id="getRunFigures", response_model=models.Figures)
+async def get_run_figures(request: ApiRequest, run_id: RunId, x: Axis = "position") -> Response:
     """Every figure with this run's data."""
     return json_answer(await request.services.curves.figures(run_id, None, x, request.client_id))
 
 
-@drawing.get(
-    "/runs/{id}/figures/{name}",
-    operation_id="getRunFigure",
-    response_model=JsonObject,
-)
+@drawing.get("/runs/{id}/figures/{name}", operation_id="getRunFigure", response_model=JsonObject)
 async def get_run_figure(
     request: ApiRequest,
     run_id: RunId,
@@ -297,26 +270,6 @@ async def get_run_report(
         against=against,
         axis=x,
         compressed=compressed,
-        requirements=_required(requirements),
+        requirements=read(requirements),
     )
     return html_answer(report, f"ridelab-{run_id}.html")
-
-
-def _required(requirements: str | None) -> list[Requirement]:
-    """The requirements in a parameter; none where it was omitted."""
-    return [] if requirements is None else read(requirements)
-
-
-def _names(parameter: str, text: str | None, offered: Collection[str] | None = None) -> list[str] | None:
-    """The names in a comma-separated parameter; None where it was omitted.
-
-    Raises:
-        InvalidError: One of them is unknown.
-    """
-    if text is None:
-        return None
-    names = [name.strip() for name in text.split(",")]
-    if offered is not None and not set(names) <= set(offered):
-        message = f"Unknown name; there are {', '.join(offered)}"
-        raise InvalidError(message, parameter=parameter)
-    return names

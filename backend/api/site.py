@@ -79,11 +79,7 @@ class HashedFiles(StaticFiles):
     Where the build left a file's brotli form beside it, browsers that take it get that.
     """
 
-    async def get_response(
-        self,
-        path: str,
-        scope: Scope,
-    ) -> Response:
+    async def get_response(self, path: str, scope: Scope) -> Response:
         """The framework's response, immutable."""
         if path.endswith(".br"):
             raise HTTPException(HTTPStatus.NOT_FOUND)  # a form of another file, without an address of its own
@@ -185,10 +181,7 @@ def add_site(app: FastAPI, dist: Path, manual: Path) -> None:
 def _add_not_found(app: FastAPI, index: Path) -> None:
     """Answer a browser at an unknown address with the page, which says so; anything else gets a problem."""
 
-    async def not_found(
-        request: Request,
-        _: Exception,
-    ) -> Response:
+    async def not_found(request: Request, _: Exception) -> Response:
         is_page = not request.url.path.startswith(NO_PAGES) and "text/html" in request.headers.get("accept", "")
         if request.method == "GET" and is_page and await asyncio.to_thread(index.is_file):
             return FileResponse(index, 404, headers={"Cache-Control": "no-cache", "Vary": "Accept"})

@@ -31,9 +31,7 @@ lists, tunings, naming = api.routers()
     responses={200: {"model": TuningEstimate, "description": "Of a dry run"}},
 )
 async def create_tuning(
-    body: TuningRequest,
-    request: ApiRequest,
-    idempotency_key: jobs.IdempotencyKey = None,
+    body: TuningRequest, request: ApiRequest, idempotency_key: jobs.IdempotencyKey = None
 ) -> Response:
     """Begin to look for better weights; 202 comes after the commit: what was accepted completes, whatever crashes."""
     if body.dry_run:

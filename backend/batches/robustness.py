@@ -1,10 +1,8 @@
-"""The fields that a robustness study varies by default, with their ranges.
+"""The fields that a robustness study varies by default, with their ranges, from uncertain.toml."""
 
-docs/explanation/robustness.md gives the reasons.
-"""
-
+import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -21,40 +19,18 @@ STRATEGIES = ("lv", "lqr", "skyhook", "speed_only", "passive")
 FIGURES = (*PAPER_METRICS, *LIMITS_EXCEEDED)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Uncertainty:
-    """A field nobody knows exactly, the range its true value lies in, and where that range comes from."""
-
-    field: str
-    low: float
-    high: float
-    why: str
-
-
-UNCERTAINTIES = (
-    Uncertainty(field="mismatch.body_mass", low=0.8, high=1.25, why="From the driver alone to a full load"),
-    Uncertainty(field="mismatch.springs", low=0.9, high=1.1, why="Scatter of manufacture, and age"),
-    Uncertainty(field="mismatch.damping", low=0.7, high=1.3, why="Oil temperature and wear"),
-    Uncertainty(field="mismatch.tyres", low=0.9, high=1.1, why="Pressure and temperature"),
-    Uncertainty(field="mismatch.rebound_ratio", low=1, high=3, why="Dampers resist rebound more than compression"),
-    Uncertainty(field="mismatch.preview_offset", low=-0.3, high=0.3, why="Where the sensors place the road ahead"),
-    Uncertainty(field="mismatch.preview_gain", low=0.85, high=1.15, why="Scale of the measured height"),
-    Uncertainty(field="mismatch.preview_noise", low=0, high=0.003, why="Noise of each measured height"),
-    Uncertainty(field="mismatch.preview_delay", low=0, high=0.03, why="Exposure, transfer and processing"),
-    Uncertainty(field="actuator.bandwidth", low=5, high=30, why="From hydraulic to electric actuators"),
-    Uncertainty(field="actuator.saturation", low=1500, high=5000, why="What the actuator gives, hot or at low supply"),
-    Uncertainty(field="road.seed", low=1, high=1000, why="Another road of the same class at every point"),
-)
+_DATA = tomllib.loads(Path(__file__).with_name("uncertain.toml").read_text(encoding="utf-8"))
+UNCERTAINTIES = [
+    UncertainRange(**each, title=dotted.field(each["field"]).title, unit=dotted.field(each["field"]).unit)
+    for each in _DATA["uncertain"]
+]
 
 
 def defaults() -> RobustnessDefaults:
     """Return what a study varies, where nobody says otherwise."""
-    described = {each.field: dotted.field(each.field) for each in UNCERTAINTIES}
-    ranges = [
-        UncertainRange(**asdict(each), title=described[each.field].title, unit=described[each.field].unit)
-        for each in UNCERTAINTIES
-    ]
-    return RobustnessDefaults(ranges=ranges, samples=SAMPLES, strategies=STRATEGIES, baseline=BASELINE, figures=FIGURES)
+    return RobustnessDefaults(
+        ranges=UNCERTAINTIES, samples=SAMPLES, strategies=STRATEGIES, baseline=BASELINE, figures=FIGURES
+    )
 
 
 def drawn(seed: int) -> dict[str, float]:

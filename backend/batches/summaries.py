@@ -15,10 +15,10 @@ import numpy as np
 import orjson
 from cachetools import LRUCache
 
-from backend import custom_controllers
 from backend.batches import robustness, summary
 from backend.batches.models import BatchSummary
 from backend.compute.shared_computations import SharedComputations
+from backend.custom_controllers import registry as custom_controllers
 from backend.errors import InvalidError
 from backend.gate import Gate
 from backend.job_run import JobRow

@@ -14,16 +14,9 @@ import orjson
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
-from backend.batches.summary_models import (
-    FigureSummary,
-    MarginSummary,
-    Place,
-    Sensitivity,
-    StabilitySummary,
-    StrategySummary,
-)
+from backend.batches import summary_models as models
 from backend.cost.affordable import simulate
-from backend.custom_controllers import run_in_sandbox_process
+from backend.custom_controllers.registry import run_in_sandbox_process
 from backend.json_types import JsonObject, Summary
 from backend.scenario_at import NO_ROADS, scenario_at
 from sim_core import FloatArray, RidelabError, Scenario
@@ -101,33 +94,33 @@ def nominal(
     return summaries, {name: _dampings([scenario], name)[0] for name in strategies}, may_pass
 
 
-def summarise(study: Study, baseline: str) -> dict[str, StrategySummary]:
+def summarise(study: Study, baseline: str) -> dict[str, models.StrategySummary]:
     """Return by strategy how many runs, stability, and each figure's distribution and margin."""
     against = study.strategies.index(baseline)
     numbers = _numbers(study.fields)
     return {name: _strategy(study, index, against, numbers) for index, name in enumerate(study.strategies)}
 
 
-def _strategy(study: Study, index: int, against: int, every: Numbers) -> StrategySummary:
+def _strategy(study: Study, index: int, against: int, every: Numbers) -> models.StrategySummary:
     name = study.strategies[index]
     numbers = {field: values for field, values in every.items() if field in study.read[name]}
     both = {**numbers, **{field: every[field] for field in study.read[study.strategies[against]] if field in every}}
     status = Counter(study.status[:, index].tolist())
     damping = study.damping[:, index]
     fed_back = {key: numbers[key] for key in numbers if not key.startswith(NOT_FED_BACK)}
-    return StrategySummary(
+    return models.StrategySummary(
         ok=status["ok"],
         failed=status["failed"],
         unfinished=len(study.status) - status["ok"] - status["failed"],
         reasons=dict(Counter(study.reasons.get(name, {})).most_common(MOST_REASONS)),
-        stability=StabilitySummary(
+        stability=models.StabilitySummary(
             known=int(np.isfinite(damping).sum()),
             unstable=int((damping < 0).sum()),
             nominal=study.nominal_damping.get(name),
             **_distribution(study, index, damping, fed_back),
         ),
         figures={
-            key: FigureSummary(
+            key: models.FigureSummary(
                 nominal=study.nominal.get(name, {}).get(key),
                 above_zero=int((values[:, index] > 0).sum()),
                 margin=None if index == against else _margin(study, key, index, against, both),
@@ -138,7 +131,7 @@ def _strategy(study: Study, index: int, against: int, every: Numbers) -> Strateg
     )
 
 
-def _margin(study: Study, key: str, index: int, against: int, numbers: Numbers) -> MarginSummary:
+def _margin(study: Study, key: str, index: int, against: int, numbers: Numbers) -> models.MarginSummary:
     """Compare a strategy with the baseline at the points where both have the figure."""
     own, base = study.figures[key][:, index], study.figures[key][:, against]
     nominal = [study.nominal.get(study.strategies[each], {}).get(key) for each in (index, against)]
@@ -147,7 +140,7 @@ def _margin(study: Study, key: str, index: int, against: int, numbers: Numbers) 
     comparable = paired & (base != 0)
     change = np.full(len(own), np.nan)
     change[comparable] = 100 * (own[comparable] / base[comparable] - 1)
-    return MarginSummary(
+    return models.MarginSummary(
         nominal=_change(*nominal),
         pairs=pairs,
         better=_share(paired & (own < base), pairs),
@@ -172,8 +165,8 @@ def _distribution(study: Study, index: int, values: FloatArray, numbers: Numbers
     }
 
 
-def _extreme(study: Study, index: int, values: FloatArray, point: int) -> Place:
-    return Place(
+def _extreme(study: Study, index: int, values: FloatArray, point: int) -> models.Place:
+    return models.Place(
         run=point * len(study.strategies) + index,
         value=float(values[point]),
         at={name: column[point] for name, column in study.fields.items()},
@@ -198,7 +191,7 @@ def _numbers(fields: Mapping[str, Sequence[Any]]) -> Numbers:
     return numbers
 
 
-def _sensitivity(values: FloatArray, numbers: Numbers) -> list[Sensitivity]:
+def _sensitivity(values: FloatArray, numbers: Numbers) -> list[models.Sensitivity]:
     """Return which fields a metric follows, the most important first; empty where it is constant or has few points.
 
     `spearman` is the rank correlation (direction, monotone effects; scipy.stats.spearmanr). `effect` is the share of
@@ -215,7 +208,7 @@ def _sensitivity(values: FloatArray, numbers: Numbers) -> list[Sensitivity]:
             continue
         rho, (effect, chance) = spearmanr(x, y), _effect(x, y)
         p_value = min(1.0, 2 * min(float(rho.pvalue), chance))
-        rows.append(Sensitivity(field=name, spearman=float(rho.statistic), p_value=p_value, effect=effect))
+        rows.append(models.Sensitivity(field=name, spearman=float(rho.statistic), p_value=p_value, effect=effect))
     return sorted(rows, key=lambda row: (-row.effect, -abs(row.spearman)))
 
 

@@ -99,7 +99,7 @@ class StrategySummary(Answer):
 
 
 class UncertainRange(Answer):
-    """An uncertain field and the range that a study samples."""
+    """A field nobody knows exactly, the range that a study samples, and where that range comes from."""
 
     field: str
     title: str

@@ -12,12 +12,12 @@ from typing import Self
 
 from distributed import Client, Security, get_worker
 
-from backend import custom_controllers
 from backend.compute.chunk_messages import Chunk, ChunkOutcome
 from backend.compute.executor import ExecutorLostError
 from backend.compute.local_executor import LocalExecutor
 from backend.compute.memory import memory_limit
 from backend.compute.workers import BATCH_NICE, Workers
+from backend.custom_controllers import registry as custom_controllers
 from backend.settings import Settings
 from sim_core import __version__ as CORE_VERSION
 

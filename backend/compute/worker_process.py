@@ -104,7 +104,8 @@ class WorkerProcess:
 
     def ask(self, function: Callable[..., Any], args: tuple[Any, ...]) -> asyncio.Future[Answer]:
         """Return what `function(*args)` gives there; it fails with WorkerDiedError where the process dies before."""
-        from backend import custom_controllers  # takes the core, which the service imports beside its first worker
+        # Takes the core, which the service imports beside its first worker.
+        from backend.custom_controllers import registry as custom_controllers
 
         task = function, args, custom_controllers.controller_sources()
         return asyncio.get_running_loop().run_in_executor(self._waiting, self._exchange, task)
@@ -149,7 +150,7 @@ def _follow_service() -> None:
 
 
 def _answer(task: bytes) -> bytes:
-    from backend import custom_controllers
+    from backend.custom_controllers import registry as custom_controllers
 
     value, error = None, None
     try:

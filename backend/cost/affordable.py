@@ -2,7 +2,7 @@
 
 from backend.compute.memory import trim_memory
 from backend.cost.estimate import check_affordable, references
-from backend.custom_controllers import run_in_sandbox_process
+from backend.custom_controllers.registry import run_in_sandbox_process
 from sim_core import Scenario, StrategyResult
 from sim_core.caching import SHARED
 from sim_core.errors import TooExpensiveError

@@ -16,24 +16,11 @@ from typing import Any, ParamSpec, TypeVar
 from sqlalchemy import Connection, ExceptionContext, Row, Select, Table, event, inspect, make_url, select
 from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
 
+from backend.db import sqlite
 from backend.db.columns import Now, is_intact
 from backend.db.commits import Commits
 from backend.db.migrations import BASELINE, REVISIONS, create, upgrade
 from backend.db.server import ReadOnlyError, SilentServerError, is_deadlock, is_silent, server_engine
-from backend.db.sqlite import (
-    COMMIT_TIMEOUT,
-    LOCK_TIMEOUT,
-    REASONS,
-    DamagedDatabaseError,
-    DatabaseLockedError,
-    UnusableDatabaseError,
-    database_file,
-    is_damaged,
-    is_locked,
-    reason,
-    sqlite_engine,
-    try_writing,
-)
 from backend.db.tables import runs, schema_version
 from backend.errors import DamagedError
 
@@ -66,9 +53,9 @@ class Database:
 
     def __init__(self, url: str) -> None:
         parsed = make_url(url)
-        self._file = database_file(parsed)
+        self._file = sqlite.database_file(parsed)
         self._is_sqlite = parsed.get_backend_name() == "sqlite"
-        self.engine = sqlite_engine(parsed, self._file) if self._is_sqlite else server_engine(parsed)
+        self.engine = sqlite.sqlite_engine(parsed, self._file) if self._is_sqlite else server_engine(parsed)
         self._reads = _RetryingThreads("read", READERS, self._is_locked_by_us)
         self._writes = _RetryingThreads("write", 1 if self._is_sqlite else SERVER_WRITERS, self._is_read_by_us)
         self.read, self.write = self._reads.run, self._writes.run
@@ -118,7 +105,7 @@ class Database:
     @contextlib.contextmanager
     def writing(self, *, large: bool = False) -> Iterator[Connection]:
         """Begin a transaction that commits at its block's end; a large one may last and need not fit into memory."""
-        with self.engine.connect().execution_options(lock_timeout=LOCK_TIMEOUT, large=large) as connection:
+        with self.engine.connect().execution_options(lock_timeout=sqlite.LOCK_TIMEOUT, large=large) as connection:
             transaction = connection.begin()
             self._open_writes += 1
             self._committing = False
@@ -144,10 +131,10 @@ class Database:
             try:
                 return self._migrate()
             except DBAPIError as error:
-                if not is_locked(error) or time.monotonic() > end:
-                    raise UnusableDatabaseError(f"{self._name}: {reason(error)}") from error
+                if not sqlite.is_locked(error) or time.monotonic() > end:
+                    raise sqlite.UnusableDatabaseError(f"{self._name}: {sqlite.reason(error)}") from error
             except UnicodeDecodeError as error:  # a name in the schema
-                raise UnusableDatabaseError(f"{self._name}: {REASONS[sqlite3.SQLITE_CORRUPT]}") from error
+                raise sqlite.UnusableDatabaseError(f"{self._name}: {sqlite.REASONS[sqlite3.SQLITE_CORRUPT]}") from error
 
     def close(self) -> None:
         """Wait for the threads and close every connection."""
@@ -162,13 +149,13 @@ class Database:
         Damage is not searched for: it is known once a request, or a job, has met it, and stays until the next start.
         """
         if self.damage is not None:
-            raise DamagedDatabaseError(self.damage)
+            raise sqlite.DamagedDatabaseError(self.damage)
         with self.reading() as connection:
             connection.execute(select(runs.c.id).limit(1)).all()
             if not self._is_sqlite and connection.exec_driver_sql("SHOW transaction_read_only").scalar_one() == "on":
                 raise ReadOnlyError
         if self._is_sqlite:
-            try_writing(self.engine)
+            sqlite.try_writing(self.engine)
 
     async def usable(self) -> bool:
         """Check whether the database answers and can be written to; the log has why not, once."""
@@ -183,7 +170,7 @@ class Database:
         return self._usable
 
     def _note_damage(self, context: ExceptionContext) -> None:
-        if self.damage is None and is_damaged(context.original_exception):
+        if self.damage is None and sqlite.is_damaged(context.original_exception):
             self.damage = DAMAGED
             where = "" if self._file is None else f"{self._file.path}: "
             logger.error("%s%s. The first error was: %s", where, DAMAGED, context.original_exception)
@@ -211,17 +198,17 @@ class Database:
                 self._check_revision(stored)
                 upgrade(connection, stored)
             elif self._is_sqlite and tables:
-                raise UnusableDatabaseError(f"{self._name} is another program's database")
+                raise sqlite.UnusableDatabaseError(f"{self._name} is another program's database")
             else:
                 create(connection)
 
     def _check_revision(self, stored: str) -> None:
         if stored < BASELINE:
-            raise UnusableDatabaseError(
+            raise sqlite.UnusableDatabaseError(
                 f"{self._name} is of Ridelab 0.3.0 or before (schema {stored}): start 0.4.0 on it once"
             )
         if stored not in REVISIONS:
-            raise UnusableDatabaseError(
+            raise sqlite.UnusableDatabaseError(
                 f"{self._name} is of a newer version of Ridelab (schema {stored}, this one knows {REVISIONS[-1]}): "
                 "upgrade, or put the backup from before in its place"
             )
@@ -260,7 +247,7 @@ class _RetryingThreads:
         # Checks whether a try that began then met a lock of our own, which is waited for without a time limit.
         self._locked_by_us = locked_by_us
         self._timed_out_at = 0.0
-        self._timed_out: type[DatabaseLockedError | SilentServerError] = DatabaseLockedError
+        self._timed_out: type[sqlite.DatabaseLockedError | SilentServerError] = sqlite.DatabaseLockedError
         self._asking_silent = threading.Lock()
 
     async def run(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
@@ -283,13 +270,13 @@ class _RetryingThreads:
             raise self._timed_out
         try:
             answer = self._call(method, submitted)
-            self._timed_out = DatabaseLockedError
+            self._timed_out = sqlite.DatabaseLockedError
             return answer
         finally:
             self._asking_silent.release()
 
     def _call(self, method: Callable[[], T], submitted: float) -> T:
-        end, deadlocks = time.monotonic() + LOCK_TIMEOUT, 0
+        end, deadlocks = time.monotonic() + sqlite.LOCK_TIMEOUT, 0
         while submitted > self._timed_out_at:
             begun = time.monotonic()
             try:
@@ -300,11 +287,11 @@ class _RetryingThreads:
                 deadlocks += is_deadlock(error)
                 if is_deadlock(error) and deadlocks < MOST_DEADLOCKS:
                     continue  # the transaction that it met has what it waited for
-                if not is_locked(error):
+                if not sqlite.is_locked(error):
                     raise
                 if time.monotonic() > end and not self._locked_by_us(begun):
-                    self._timed_out, self._timed_out_at = DatabaseLockedError, time.monotonic()
-            time.sleep(COMMIT_TIMEOUT / 2)  # readers may begin
+                    self._timed_out, self._timed_out_at = sqlite.DatabaseLockedError, time.monotonic()
+            time.sleep(sqlite.COMMIT_TIMEOUT / 2)  # readers may begin
         raise self._timed_out
 
 

@@ -14,10 +14,11 @@ import orjson
 from numpy.typing import NDArray
 from sqlalchemy.exc import DataError, IntegrityError, ProgrammingError, SQLAlchemyError
 
-from backend import custom_controllers, digest, metrics
+from backend import digest, metrics
 from backend.compute.chunk_messages import Chunk, ChunkError, ChunkOutcome, ComputeRun
 from backend.compute.executor import Executor, ExecutorLostError
 from backend.compute.workers import Workers
+from backend.custom_controllers import registry as custom_controllers
 from backend.errors import CHEAPER_RUN, ServiceError, WorkerLostError, WorkerTimeoutError
 from backend.job_run import JobRun
 from backend.jobs.kind import JobKind

@@ -6,7 +6,7 @@ from functools import cache
 
 import orjson
 
-from backend import custom_controllers
+from backend.custom_controllers import registry as custom_controllers
 from backend.http.problem_types import KINDS
 from backend.json_types import JsonObject
 from backend.runs import figures

@@ -11,6 +11,7 @@ from math import log
 from typing import Any, Literal
 
 from backend.paper.claims import FIGURES, scenario_for
+from backend.paper.interpretations import DATA
 from backend.paper.models import Share
 from sim_core import SpeedPlan
 from sim_core.comparison.intervals import Interval, change_with_interval
@@ -27,9 +28,6 @@ WEIGHTS: dict[Weighting, StageWeights] = {
     "comfort": StageWeights(cruise=_SWITCHED.cruise, brake=_SWITCHED.cruise, bump=_SWITCHED.cruise),
     "switched": _SWITCHED,
 }
-_WEIGHTS_WORDS = {"equal": "equal weights", "comfort": "cruise weights throughout", "switched": "switched weights"}
-_PREVIEW_WORDS = {"none": "no preview", "wheelbase": "front axle's road", "lookahead": "road ahead"}
-_CONTROLLER_WORDS = {"passive": "Passive", "lqr": "LQR", "mpc": "MPC"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,12 +47,8 @@ class Variant:
     @property
     def label(self) -> str:
         """Return the parts in words."""
-        words = [_CONTROLLER_WORDS[self.controller]]
-        if self.controller == "mpc" and self.weights:
-            words.append(_WEIGHTS_WORDS[self.weights])
-        if self.preview:
-            words.append(_PREVIEW_WORDS[self.preview])
-        return ", ".join([*words, f"{self.speed} speed"])
+        parts = (self.controller, self.weights, self.preview, self.speed)
+        return ", ".join(DATA["attribution"]["words"][part] for part in parts if part)
 
     @property
     def known_as(self) -> str | None:
@@ -100,14 +94,7 @@ VARIANTS: tuple[Variant, ...] = tuple(
 )
 LV = "mpc-planned-lookahead-switched"
 
-# Each pair at the same speed plan; the first against the second.
-EQUAL_SPEED: tuple[tuple[str, str, str], ...] = (
-    ("LV against the paper's LQR", LV, "lqr-planned-none"),
-    ("LV against an LQR with the same preview", LV, "lqr-planned-lookahead"),
-    ("LV against an MPC with fixed, equal weights and the same preview", LV, "mpc-planned-lookahead-equal"),
-    ("LV without preview against LQR", "mpc-planned-none-switched", "lqr-planned-none"),
-    ("LV against the passive car braking alike", LV, "passive-planned"),
-)
+EQUAL_SPEED: list[tuple[str, str, str]] = DATA["attribution"]["equal_speed"]
 
 # variant id -> figure (as in claims.FIGURES, or a comfort key) -> a value for each seed
 Values = Mapping[str, Mapping[Any, Sequence[float]]]

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
-from backend.paper.interpretations import OPEN_QUESTIONS, TYRE_LOADS, changes_of
+from backend.paper.interpretations import DATA, OPEN_QUESTIONS, TYRE_LOADS, changes_of
 from backend.paper.tables import PaperCell, cells
 from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
 from sim_core.comparison.intervals import Interval, change_with_interval
@@ -41,20 +41,7 @@ class Verdict(StrEnum):
     CONTRADICTS = "contradicts"
 
 
-RULES = {
-    "reached": "Same direction as the paper's change and at least as large.",
-    "smaller": "Same direction, but smaller than the paper's change.",
-    "contradicts": "The other direction, or no change at all.",
-    "hil": f"Hardware in the loop against LV: reached where the change is within ±{HIL_TOLERANCE:g} % of the "
-    "simulation, else it contradicts; the printed change is not the measure.",
-    "mean": "Ours is the change of the means over the seeds; every strategy drives the same roads.",
-    "ci": "95 % interval of that change over the seeds, by linearisation of the ratio (Cochran 1977).",
-    "certain": "A verdict is certain where the whole interval would get it.",
-    "agreement": f"A simulated change agrees where it lies within ±{AGREEMENT:g} percentage points of the paper's; the "
-    "paper's change is in our interval where it lies between the interval's ends.",
-    "misprint": "Where the printed change does not follow from the absolutes printed beside it, the verdict is taken "
-    "against the one that does.",
-}
+RULES = {name: text.format(hil=HIL_TOLERANCE, agreement=AGREEMENT) for name, text in DATA["rules"].items()}
 
 
 def verdict(claim: float, ours: float, *, hil: bool) -> Verdict:

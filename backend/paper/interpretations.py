@@ -89,9 +89,9 @@ def _question(entry: dict[str, Any]) -> OpenQuestion:
     return OpenQuestion(choices=tuple(Choice(**each) for each in entry.pop("choice")), **entry)
 
 
-_DATA = tomllib.loads(Path(__file__).with_name("interpretations.toml").read_text(encoding="utf-8"))
-OPEN_QUESTIONS = {entry["id"]: _question(entry) for entry in _DATA["question"]}
-INTERPRETATIONS = {entry["id"]: Interpretation(**entry) for entry in _DATA["interpretation"]}
+DATA = tomllib.loads(Path(__file__).with_name("interpretations.toml").read_text(encoding="utf-8"))
+OPEN_QUESTIONS = {entry["id"]: _question(entry) for entry in DATA["question"]}
+INTERPRETATIONS = {entry["id"]: Interpretation(**entry) for entry in DATA["interpretation"]}
 DEFAULT, FAVOURABLE, NEAREST = (INTERPRETATIONS[name] for name in ("default", "favourable", "nearest"))
 
 

@@ -238,16 +238,12 @@ class ReadingsAnswer(Answer):
     unavailable: Unavailable | None
 
 
-class Figure8(Answer):
-    """One of the eight figures of a combination, mean over the seeds and its interval; SI."""
+class OfFigure(Answer):
+    """What is said of one of the paper's eight figures."""
 
     window: str
     signal: str
     statistic: str
-    value: float
-    low: float
-    high: float
-    change_vs_passive: float = Field(description="[%]")
 
 
 class Comfort(Answer):
@@ -256,6 +252,12 @@ class Comfort(Answer):
     value: float
     low: float
     high: float
+
+
+class Figure8(Comfort, OfFigure):
+    """One of the eight figures of a combination, mean over the seeds and its interval; SI."""
+
+    change_vs_passive: float = Field(description="[%]")
 
 
 class CombinationRow(Answer):
@@ -273,24 +275,18 @@ class CombinationRow(Answer):
     comfort: dict[str, Comfort]
 
 
-class Share(Answer):
+class Share(OfFigure):
     """Shares of LV's whole change in one figure [%], which add up to 100, and that change [%]."""
 
-    window: str
-    signal: str
-    statistic: str
     speed: float
     preview: float
     switching: float
     total_change: float
 
 
-class Change(Answer):
+class Change(OfFigure):
     """Change of one combination against another [%]."""
 
-    window: str
-    signal: str
-    statistic: str
     our_change: float
     ci: ConfidenceInterval
 

@@ -8,8 +8,9 @@ from collections.abc import Mapping
 
 import orjson
 
-from backend import custom_controllers, digest
+from backend import digest
 from backend.cost.affordable import drive, simulate
+from backend.custom_controllers import registry as custom_controllers
 from backend.outcome import JSON_OPTIONS, Outcome, Sampling, elapsed_ms
 from backend.runs.series import pack
 from sim_core import RidelabError, Scenario

@@ -160,17 +160,11 @@ def _template(panel: Panel, labels: tuple[tuple[str, str], ...]) -> JsonObject:
         "neutral": NEUTRAL,
     }
     layout = {
-        "template": {},
+        **_DRAWN["layout"],
         "title": {"text": title},
         "meta": meta,
         "xaxis": {"title": {"text": _axis_title(AXES[0])}, **_AXIS},
         "yaxis": {"title": {"text": f"{title} [{unit}]"}, **_AXIS},
-        "hovermode": "x unified",
-        "showlegend": True,
-        "legend": {"orientation": "h", "y": 1.02, "yanchor": "bottom"},
-        "margin": {"l": 64, "r": 16, "t": 48, "b": 48},
-        "paper_bgcolor": "rgba(0,0,0,0)",
-        "plot_bgcolor": "rgba(0,0,0,0)",
     }
     return {"data": traces, "layout": layout}
 

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import AfterValidator, Field, model_validator
 
-from backend.custom_controllers import run_in_sandbox_process
+from backend.custom_controllers.registry import run_in_sandbox_process
 from backend.models import Answer, StrategiesRequest, Vector
 from sim_core import RidelabError, Scenario
 from sim_core.frequency import responses
@@ -15,14 +15,6 @@ from sim_core.frequency.responses import DEFAULT_FREQUENCIES, RESPONSES, Frequen
 
 COST = 0.02  # of one strategy [s of one core]
 Frequency = Annotated[float, Field(ge=0.01, le=200)]
-Signal = Literal[
-    "body_acceleration",
-    "pitch_acceleration",
-    "front_tyre_load",
-    "rear_tyre_load",
-    "front_deflection",
-    "rear_deflection",
-]
 
 
 class FrequencyRequest(StrategiesRequest):
@@ -31,7 +23,9 @@ class FrequencyRequest(StrategiesRequest):
     frequencies: list[Frequency] | None = Field(
         None, min_length=1, max_length=2000, description="[Hz]; null is 200 from 0.3 to 30 Hz"
     )
-    outputs: list[Signal] | None = Field(None, min_length=1, max_length=6, description="Null is all six")
+    outputs: list[Literal[tuple(RESPONSES)]] | None = Field(  # type: ignore[valid-type]  # from the core
+        None, min_length=1, max_length=6, description="Null is all six"
+    )
     stage: Literal["cruise", "brake", "bump"] = Field(
         "cruise", description="Whose weights hold; in bump a car that brakes for it has the target speed"
     )

@@ -12,8 +12,8 @@ from backend import digest
 from backend.compute.shared_computations import SharedComputations
 from backend.compute.workers import Workers
 from backend.cost.estimate import cost_of, estimate
-from backend.custom_controllers import is_custom
-from backend.errors import CostLimitError, DamagedResultError, GoneError, InvalidError, RoadGoneError
+from backend.custom_controllers.registry import is_custom
+from backend.errors import CostLimitError, GoneError, InvalidError, RoadGoneError, TemporaryError
 from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile, refused_where_full
 from backend.means_over_roads import with_seeds
@@ -233,7 +233,8 @@ class Histories:
         with self.gate.memory.hold(client, size):
             contents = await self.store.read(self.store.links.load_pins, wanted)
             if not wanted <= contents.keys():
-                raise DamagedResultError
+                message = "A stored time history was damaged and has been dropped: ask again."
+                raise TemporaryError(message, kind="store-unavailable", retry_after=1)
             yield {name: contents[key] for name, key in keys.items()}
 
 

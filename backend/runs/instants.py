@@ -6,7 +6,7 @@ import numpy as np
 from pydantic import AliasChoices, Field
 
 from backend.cost.estimate import check_affordable
-from backend.custom_controllers import run_in_sandbox_process
+from backend.custom_controllers.registry import run_in_sandbox_process
 from backend.models import Answer, Matrix, Vector
 from sim_core.instant import Instant, instant
 from sim_core.scenario import Scenario

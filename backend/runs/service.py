@@ -5,15 +5,11 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
-from backend import custom_controllers, digest
+from backend import digest
 from backend.cost.estimate import estimate
+from backend.custom_controllers import registry as custom_controllers
 from backend.db.tables import EXPIRED
-from backend.errors import (
-    InvalidError,
-    NewerSchemaError,
-    NotFoundError,
-    RoadGoneError,
-)
+from backend.errors import InvalidError, NewerSchemaError, NotFoundError, RoadGoneError
 from backend.gate import Gate
 from backend.json_types import JsonObject
 from backend.means_over_roads import with_seeds
@@ -22,13 +18,7 @@ from backend.outcome import FAILED, UNAVAILABLE, Sampling, failure_json
 from backend.recordings.service import Recordings
 from backend.requirements import Requirement
 from backend.roads.service import MeasuredRoads
-from backend.runs.answers import (
-    changes_to_run,
-    changes_to_strategy,
-    check_same_roads,
-    live_answer,
-    run_answer,
-)
+from backend.runs.answers import changes_to_run, changes_to_strategy, check_same_roads, live_answer, run_answer
 from backend.runs.histories import ControllerMissingError
 from backend.runs.models import LiveRequest
 from backend.runs.results import Results

@@ -14,18 +14,12 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from backend import custom_controllers
+from backend.custom_controllers import registry as custom_controllers
 from backend.jobs.models import Label
 from backend.json_types import JsonObject
 from backend.models import RequestModel, SentScenario, inconsistent
 from backend.tunings.objectives import Limit, Objective
-from backend.tunings.space import (
-    OURS,
-    default_search,
-    searchable,
-    takes_previews,
-    tunable_strategies,
-)
+from backend.tunings.space import OURS, default_search, searchable, takes_previews, tunable_strategies
 from backend.unknown_names import unknown_name
 from sim_core import Preview, RidelabError
 from sim_core.check_controller import ID

@@ -14,10 +14,10 @@ from typing import Any, Literal
 
 import orjson
 
-from backend import custom_controllers
 from backend.batches.kind import SWEEP
 from backend.batches.points import Sweep
 from backend.batches.service import BatchService
+from backend.custom_controllers import registry as custom_controllers
 from backend.custom_controllers.registry import Watch
 from backend.errors import ServiceError, TemporaryError
 from backend.job_run import JobRow
@@ -30,15 +30,7 @@ from backend.tunings import comparison, front
 from backend.tunings.comparison_models import TuningComparison
 from backend.tunings.measure import Aims, Failure, Measured, RunsByRoad
 from backend.tunings.objectives import UndefinedObjectiveError
-from backend.tunings.space import (
-    Weights,
-    first_weights,
-    has_own_weights,
-    ranges_of,
-    road,
-    weights_at,
-    weights_of,
-)
+from backend.tunings.space import Weights, first_weights, has_own_weights, ranges_of, road, weights_at, weights_of
 from sim_core import __version__ as CORE_VERSION
 from sim_core.errors import RidelabError
 from sim_core.scenario import SCHEMA_VERSION, Scenario
