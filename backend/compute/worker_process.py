@@ -71,6 +71,8 @@ def _interrupts_blocked() -> Iterator[None]:
 class WorkerProcess:
     """A process that warms up before its first task.
 
+    While it has no task, its `pipe` is readable only where it has died, which the system may tell later.
+
     A fork server's child shares what that has warmed and is there at once; the first one waits for the server.
 
     Args:
@@ -80,7 +82,7 @@ class WorkerProcess:
 
     def __init__(self, warm_up: str, nice: int) -> None:
         context = _context(warm_up)
-        self._pipe, theirs = context.Pipe()
+        self.pipe, theirs = context.Pipe()
         self._process = context.Process(target=_serve, args=(theirs, warm_up, nice), daemon=True)
         with _interrupts_blocked():
             self._process.start()
@@ -115,15 +117,15 @@ class WorkerProcess:
         self._process.kill()
         self._process.join()
         self._waiting.shutdown()
-        self._pipe.close()
+        self.pipe.close()
 
     def _exchange(self, task: tuple[Any, ...] | None = None) -> Any:
         """Send a task, perhaps, and return what comes."""
         message = pickle.dumps(task)
         try:
             if task is not None:
-                self._pipe.send_bytes(message)
-            answer = self._pipe.recv_bytes()
+                self.pipe.send_bytes(message)
+            answer = self.pipe.recv_bytes()
         except (EOFError, OSError):
             raise WorkerDiedError from None
         return pickle.loads(answer)  # noqa: S301 - our own process's

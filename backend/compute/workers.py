@@ -192,7 +192,7 @@ class Workers:
 
     def _dispatch(self) -> None:
         """Hand idle processes to the tasks that are next."""
-        for process in [each for each in self._idle if not each.active]:  # died while idle: no task's doing
+        for process in [each for each in self._idle if each.pipe.poll()]:  # died while idle: no task's doing
             self._idle.remove(process)
             self._replace(process)
         while self._idle and (task := self._queue.begin_next(len(self._processes))) is not None:

@@ -94,20 +94,21 @@ def _facts_key(
     against: StoredRun | None,
 ) -> tuple[object, ...]:
     """Return what facts depend on: a digest of a run and its comparison, and the controllers, which have labels."""
-    runs = [_content(run) for run in (stored, against) if run is not None]
+    runs = [
+        (
+            *(run.core_version, run.scenario, run.roads, run.baseline),
+            [
+                (name, item.status, item.core_version or run.core_version, orjson.Fragment(item.json))
+                for name, items in run.by_strategy.items()
+                for item in items
+            ],
+        )
+        for run in (stored, against)
+        if run is not None
+    ]
     selected = None if compared is None else sorted(compared)
     content = orjson.dumps((runs, baseline, selected, requirements))
     return (sha256(content).digest(), *map(find_strategy, stored.by_strategy))
-
-
-def _content(stored: StoredRun) -> tuple[object, ...]:
-    """Return what a run's facts depend on, for orjson."""
-    results = [
-        (name, item.status, item.core_version or stored.core_version, orjson.Fragment(item.json))
-        for name, items in stored.by_strategy.items()
-        for item in items
-    ]
-    return stored.core_version, stored.scenario, stored.roads, stored.baseline, results
 
 
 @cachetools.cached(cachetools.LRUCache(WRITTEN_FACTS), _facts_key, Lock())
@@ -150,7 +151,8 @@ def comparison_of(
     """
     reference = baseline_of(list(stored.by_strategy), baseline or stored.baseline)
     is_compared = {reference, *(stored.by_strategy if compared is None else compared)}
-    summaries = {name: each for name, each in _summaries(stored).items() if name in is_compared}
+    driven = _summaries(stored)
+    summaries = {name: each for name, each in driven.items() if name in is_compared}
     other = None
     if against is not None:
         check_same_roads(stored.roads, scenario.road.seed, stored.core_version, against)
@@ -159,8 +161,11 @@ def comparison_of(
     # Those had failed with the run's core version.
     others = [item for item in stored.shown if item.core_version not in (None, stored.core_version)]
     cautions = tuple(_other_version(item, stored) for item in others if item.strategy in summaries)
-    results = judge(requirements, _driven_or_reason(stored), baseline or _named_baseline(stored))
-    return replace(comparison, cautions=(*comparison.cautions, *cautions), requirements=results)
+    comparison = replace(comparison, cautions=(*comparison.cautions, *cautions))
+    if not requirements:
+        return comparison
+    results = judge(requirements, _reasons(stored) | driven, baseline or _named_baseline(stored))
+    return replace(comparison, requirements=results)
 
 
 def _other_version(item: Outcome, stored: StoredRun) -> Caution:
@@ -172,13 +177,12 @@ def _other_version(item: Outcome, stored: StoredRun) -> Caution:
     return Caution(kind="core_version", text=text, strategy=item.strategy)
 
 
-def _driven_or_reason(stored: StoredRun) -> dict[str, Driven]:
-    """Return each strategy's summaries on every road, or why it has none."""
-    reasons = {
+def _reasons(stored: StoredRun) -> dict[str, Driven]:
+    """Return why each strategy has no summary on some road; empty where it has all."""
+    return {
         name: next((item.summary["reason"] for item in items if item.status != "ok"), "")
         for name, items in stored.by_strategy.items()
     }
-    return reasons | _summaries(stored)
 
 
 def _summaries(stored: StoredRun) -> dict[str, list[Summary]]:

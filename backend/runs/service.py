@@ -78,7 +78,8 @@ class Runs:
         Raises:
             InvalidError: There is no such run as `against`, or it is of other roads.
         """
-        other = await self._named_reference(against, client, roads=roads, seed=scenario.road.seed)
+        seed = scenario.road.seed
+        other = None if against is None else await self._named_reference(against, client, roads=roads, seed=seed)
         run, cached = await self.get_or_compute(scenario, strategies, client, roads=roads, baseline=baseline)
         answer = partial(run_answer, run, cached=cached, requirements=requirements, baseline=baseline, against=other)
         return await asyncio.to_thread(answer)
@@ -175,7 +176,8 @@ class Runs:
             InvalidError: There is no such run as `against`, or it is of other roads.
         """
         scenario, names = request.scenario, ordered(request.strategies)
-        other = await self._named_reference(request.against, client, roads=1, seed=scenario.road.seed)
+        seed, against = scenario.road.seed, request.against
+        other = None if against is None else await self._named_reference(against, client, roads=1, seed=seed)
         if scenario.road.follows_profile:
             scenario = await self.roads.on(scenario)
         costs = {name: estimate(scenario, name) for name in names}
@@ -208,14 +210,12 @@ class Runs:
         except NotFoundError as error:
             raise InvalidError(error.message, parameter="against") from None
 
-    async def _named_reference(self, run_id: str | None, client: str, *, roads: int, seed: int) -> StoredRun | None:
-        """Return the run that a request's body names as `against`, before anything is computed; None where it does not.
+    async def _named_reference(self, run_id: str, client: str, *, roads: int, seed: int) -> StoredRun:
+        """Return the run that a request's body names as `against`, before anything is computed.
 
         Raises:
             InvalidError: There is none, or it is not of so many roads from that seed on.
         """
-        if run_id is None:
-            return None
         try:
             run = await self.reference(run_id, client)
             check_same_roads(roads, seed, CORE_VERSION, run)

@@ -82,8 +82,7 @@ def test_readers_go_on_while_writers_wait_and_fail(store: Store, path: Path, beg
 
 @pytest.mark.parametrize("begin", [WRITE, READ, READ_WRITE])
 def test_a_short_lock_fails_nothing(store: Store, path: Path, begin: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    for module in (database, sqlite):
-        monkeypatch.setattr(module, "LOCK_TIMEOUT", 30.0)  # on a busy machine the lock below lasts longer
+    monkeypatch.setattr(sqlite, "LOCK_TIMEOUT", 30.0)  # on a busy machine the lock below lasts longer
 
     async def work() -> None:
         writes = [store.write(save, store, f"run-{number}", "b") for number in range(4)]

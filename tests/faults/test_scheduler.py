@@ -19,7 +19,7 @@ from backend.batches.kind import SWEEP, coarse_first
 from backend.batches.plan import with_keys
 from backend.compute.chunk_messages import Chunk, ChunkError, ChunkOutcome
 from backend.compute.executor import ExecutorLostError
-from backend.db import database, sqlite
+from backend.db import sqlite
 from backend.db.sqlite import DatabaseLockedError
 from backend.errors import WorkerLostError, WorkerTimeoutError
 from backend.job_run import JobRow, JobRun
@@ -346,8 +346,7 @@ def test_another_program_that_locks_the_database_stops_no_cluster(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The lock lasts longer than a read or a write waits: no computed result is lost or computed twice."""
-    for module in (database, sqlite):
-        monkeypatch.setattr(module, "LOCK_TIMEOUT", 0.1)
+    monkeypatch.setattr(sqlite, "LOCK_TIMEOUT", 0.1)
     stranger: list[sqlite3.Connection] = []
 
     def locked(chunk: Chunk) -> ChunkOutcome:
