@@ -56,5 +56,5 @@ def _once(client: httpx.Client, path: str, body: bytes) -> float:
     headers = {"Content-Type": "application/json", "Idempotency-Key": f"key-{time.monotonic_ns()}"}
     taken, answer = timed(client, "POST", f"/api/v1{path}", content=body, headers=headers)
     client.post(f"/api/v1{path}/{answer.json()['id']}/cancel").raise_for_status()
-    time.sleep(REST)
+    time.sleep(REST)  # the service is idle again
     return taken

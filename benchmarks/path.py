@@ -70,7 +70,7 @@ class Entered:
         self.open = True
         try:
             yield codes
-            time.sleep(REST)
+            time.sleep(REST)  # until it is at rest
         finally:
             self.open = False
 
@@ -198,7 +198,7 @@ def _counted(ask: Asking, entered: Entered) -> dict[str, tuple[int, ...]]:
         times = []
         for number in range(1, REPEATS + 1):
             flow = prepare(ask, number)
-            time.sleep(REST)
+            time.sleep(REST)  # what was asked before has ended
             with entered.counting() as codes:
                 flow()
             times.append(codes)

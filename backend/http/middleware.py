@@ -107,7 +107,7 @@ class RequestMiddleware:
             if exchange.status != GONE:
                 raise
             await problem("unavailable", headers={"Retry-After": "2"})(inner, exchange.receive, exchange.send)
-        except Exception:
+        except Exception:  # a bug of ours: the client gets a 500, the log what it was
             logger.exception("An unforeseen error")
             if exchange.status != GONE:
                 raise  # too late for another answer: the server breaks the connection off

@@ -50,7 +50,7 @@ def wait(condition: Callable[[], object], what: str, limit: float = 180, pause: 
         with contextlib.suppress(AssertionError, httpx.HTTPError, ValueError, KeyError):
             if condition():
                 return time.monotonic() - begun
-        time.sleep(pause)
+        time.sleep(pause)  # before it is looked at again
     raise TimeoutError(what)
 
 

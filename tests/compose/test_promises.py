@@ -19,10 +19,10 @@ NETWORKS = {
 CLUSTER = "/var/lib/postgresql/data"
 WRITABLE = {
     "proxy": {"/tmp"},  # noqa: S108 - a container's
-    "api": {"/tmp", "/fmu", "/data"},  # noqa: S108
-    "scheduler": {"/tmp", "/data"},  # noqa: S108
-    "worker": {"/tmp", "/fmu", "/data"},  # noqa: S108
-    "database": {"/tmp", "/var/run/postgresql", CLUSTER},  # noqa: S108
+    "api": {"/tmp", "/fmu", "/data"},  # noqa: S108 - a container's
+    "scheduler": {"/tmp", "/data"},  # noqa: S108 - a container's
+    "worker": {"/tmp", "/fmu", "/data"},  # noqa: S108 - a container's
+    "database": {"/tmp", "/var/run/postgresql", CLUSTER},  # noqa: S108 - a container's
 }
 RUNS_PROGRAMS = {"api": {"/fmu", "/data"}, "worker": {"/fmu"}, "database": {CLUSTER}}  # on a disk Docker allows it
 PLACES = (

@@ -74,7 +74,7 @@ def test_one_that_hangs_stops_nothing_for_long(service: Composed, part: str, sec
             print(f"leader hangs: another one leads after {took:.1f} s")
             service.assert_complete(batch, RUNS)
         else:
-            time.sleep(seconds)
+            time.sleep(seconds)  # how long it hangs
     finally:
         docker("unpause", name)
     print(f"{part} hung: all healthy {wait(service.healthy, 'all are healthy', 120):.1f} s later")

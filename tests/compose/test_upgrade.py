@@ -1,6 +1,5 @@
 """The image for one, by the manual's own command; and volumes of 0.4.0, each opened by this version during a batch."""
 
-import os
 import re
 import shlex
 import shutil
@@ -71,8 +70,9 @@ def test_one_container_serves_everything(tmp_path: Path) -> None:
     (line,) = [each for each in docker("logs", NAME).splitlines() if each.startswith("Ridelab is at")]
     assert line.startswith("Ridelab is at http://localhost:8000; its data are in /data"), line
     exported = site.request("POST", "/api/v1/fmus", json={"scenario": {}, "strategy": "lqr", "of": "controller"})
-    (tmp_path / "controllers/theirs.fmu").write_bytes(exported.content)
-    os.chmod(tmp_path / "controllers/theirs.fmu", 0o644)  # noqa: PTH101
+    theirs = tmp_path / "controllers/theirs.fmu"
+    theirs.write_bytes(exported.content)
+    theirs.chmod(0o644)
     wait(lambda: "theirs" in {each["id"] for each in site.ask("GET", "/strategies")}, "it is there", 30)
     run = site.run("lv", "lv_hil", "passive", "theirs")
     assert {each["status"] for each in run["strategies"].values()} == {"ok"}
